@@ -1,0 +1,18 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <stop_token>
+
+namespace glassbox {
+
+/// Long work's line to whoever started it: how many threads it may use, how far it is, and whether it should stop.
+struct Job {
+    int threads = 0;                            ///< 0: as many as the machine has cores
+    std::stop_token stop;                       ///< when requested, the work throws Cancelled at the next pixel
+    std::atomic<std::int64_t>* done = nullptr;  ///< counts finished pixels or rays, if anyone watches
+};
+
+/// Thrown by work that was asked to stop before it was done.
+struct Cancelled {};
+
+}  // namespace glassbox

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glassbox {
+
+/// The numbers that a pixel's probe keeps while the pixel is traced; `no_value` where the formula was not reached.
+struct PixelNumbers;
+
+/// How a measurement is coloured.
+enum class Scale {
+    sequential,  ///< from its least to its greatest value
+    diverging,   ///< the same on both sides of 0
+    direction,   ///< three components from -1 to 1, shown as red, green, blue
+};
+
+/// One thing that `glassbox measure` can measure.
+struct Measurement {
+    std::string_view name;         ///< as typed: "depth"
+    std::string_view unit;         ///< "|D|", "1" for a pure number
+    std::string_view explanation;  ///< one line for a legend or a list
+    Scale scale;
+    std::span<const std::string_view> planes;        ///< the names of its components: itself, or x, y and z
+    std::optional<std::pair<double, double>> range;  ///< fixed range of its colours; otherwise that of its values
+};
+
+/// All measurements, in the order in which they are listed.
+std::span<const Measurement> measurements();
+
+/// The measurement of that name, if there is one.
+const Measurement* find_measurement(std::string_view name);
+
+}  // namespace glassbox
