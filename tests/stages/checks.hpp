@@ -1,0 +1,95 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <random>
+
+#include <support/ulps.hpp>
+#include <vec3.hpp>
+
+/// What the stages' tests have in common: sizes to try, numbers to throw, and checks of whole vectors.
+namespace glassbox {
+
+template <class Real>
+std::ostream& operator<<(std::ostream& out, const Vec3<Real>& a) {
+    return out << std::setprecision(std::numeric_limits<Real>::max_digits10) << '(' << a.x << ", " << a.y << ", " << a.z
+               << ')';
+}
+
+}  // namespace glassbox
+
+namespace glassbox::test {
+
+/// The distance from 1 to the next number: twice the largest relative error of one operation.
+template <class Real>
+constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+
+/// Sizes from 1e-10 to 1e10. Powers of two, as multiplying by those rounds nothing: what holds at size 1 to the bit
+/// must hold at each of these to the bit.
+template <class Real>
+constexpr std::array<Real, 5> sizes{Real(0x1p-33), Real(0x1p-13), Real(1), Real(0x1p13), Real(0x1p33)};
+
+/// Random numbers, the same ones on every machine: the standard fixes its engines, but not its distributions.
+class Dice {
+public:
+    template <class Real>
+    Real between(Real low, Real high) {
+        return low + (high - low) * (static_cast<Real>(engine() >> 11) * Real(0x1p-53));
+    }
+
+    template <class Real>
+    Vec3<Real> vector(Real size) {
+        const Real x = between(-size, size), y = between(-size, size), z = between(-size, size);
+        return {x, y, z};
+    }
+
+    int whole(int low, int high) {
+        return low + static_cast<int>(engine() % static_cast<std::uint64_t>(high - low + 1));
+    }
+
+    template <class Real>
+    Vec3<Real> whole_vector(int size) {
+        const int x = whole(-size, size), y = whole(-size, size), z = whole(-size, size);
+        return {static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
+    }
+
+private:
+    std::mt19937_64 engine{2014};
+};
+
+/// How far two vectors are apart, component by component, in units in the last place of the larger one's length.
+template <class Real>
+double ulps(const Vec3<Real>& got, const Vec3<Real>& expected) {
+    if (got == expected) return 0;
+    const Real size = length(expected);
+    const Real ulp = std::nextafter(size, std::numeric_limits<Real>::infinity()) - size;
+    const Vec3<Real> off = got - expected;
+    return static_cast<double>(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) / ulp);
+}
+
+template <class Real>
+std::string compared(const Vec3<Real>& got, const Vec3<Real>& expected) {
+    std::ostringstream out;
+    out << "expected " << expected << ", got " << got << ", " << std::setprecision(3) << ulps(got, expected)
+        << " ulps of its length apart";
+    return out.str();
+}
+
+/// For differences that cancel, where ulps of the (tiny) result would say nothing.
+template <class Real>
+bool within(Real got, Real expected, Real most) {
+    return std::abs(got - expected) <= most;
+}
+
+}  // namespace glassbox::test
+
+/// Fails, with expected, got and ulps, if the two are further apart than `most`, an absolute number.
+#define CHECK_WITHIN(got, expected, most) \
+    CHECK_MESSAGE(glassbox::test::within((got), (expected), (most)), glassbox::test::compared((got), (expected)))
+
+/// Equal in every bit, but for the sign of zero.
+#define CHECK_EXACT(got, expected) CHECK_ULPS(got, expected, 0)
+
+/// The scalars that every property is shown for.
+#define EVERY_SCALAR float, double, long double
