@@ -1,0 +1,53 @@
+#include "output/color_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "output/oklab.hpp"
+
+namespace glassbox {
+namespace {
+
+// Both curves were chosen by us so that they stay inside what sRGB can show; a colour cut to it would bend them.
+
+OkLab sequential_curve(double t) {
+    const double chroma = std::min(0.17, 0.085 + 0.5 * (t - 0.3) * (t - 0.3));
+    return oklch(0.32 + 0.60 * t, chroma, 268 - 163 * t);
+}
+
+OkLab diverging_curve(double t) {
+    const double d = std::abs(2 * t - 1);
+    return oklch(0.96 - 0.58 * d, 0.42 * d * (1 - d) + 0.085 * d * d, t < 0.5 ? 255 : 50);
+}
+
+/// The curve's colours at equal distances along it, rather than at equal steps of its parameter.
+ColorMap evenly(OkLab (*curve)(double)) {
+    constexpr std::size_t fine = 16 * ColorMap::steps;
+    std::vector<double> length(fine + 1);  // from the start of the curve to each of its fine points
+    for (std::size_t i = 1; i <= fine; ++i)
+        length[i] =
+            length[i - 1] + difference(curve(static_cast<double>(i - 1) / fine), curve(static_cast<double>(i) / fine));
+
+    std::array<Rgb, ColorMap::steps + 1> colors;
+    for (std::size_t i = 0; i <= ColorMap::steps; ++i) {
+        const double wanted = length.back() * static_cast<double>(i) / ColorMap::steps;
+        const auto next = std::lower_bound(length.begin() + 1, length.end() - 1, wanted);
+        const double before = *(next - 1);
+        const double parameter = static_cast<double>(next - length.begin() - 1) + (wanted - before) / (*next - before);
+        colors[i] = to_rgb(curve(parameter / fine));
+    }
+    return ColorMap(colors);
+}
+
+}  // namespace
+
+ColorMap sequential_colors() { return evenly(sequential_curve); }
+ColorMap diverging_colors() { return evenly(diverging_curve); }
+
+Rgb direction_color(double x, double y, double z) {
+    const auto channel = [](double component) { return rounded_byte(127.5 * (component + 1)); };
+    return {channel(x), channel(y), channel(z)};
+}
+
+}  // namespace glassbox

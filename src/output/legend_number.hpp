@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace glassbox {
+
+/// A number for a legend, to that many significant digits: "471.2", "−0.05", "1.5×10³⁰⁰", "∞". Whole numbers below a
+/// thousand million keep all their digits.
+std::string legend_number(double value, int digits = 4);
+
+/// How many digits tell numbers in [low, high] apart, and at least 4.
+int digits_between(double low, double high);
+
+struct Tick {
+    double value;
+    std::string label;
+};
+
+/// At most that many marks from low to high, at whole multiples of 1, 2 or 5 times a power of ten; at whole numbers
+/// only, if so wanted. None where floating point leaves no room for them.
+std::vector<Tick> ticks(double low, double high, int most, bool whole);
+
+}  // namespace glassbox

@@ -1,0 +1,79 @@
+#include "output/output_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output/exr.hpp"
+#include "output/heat_map.hpp"
+#include "output/png.hpp"
+#include "output/ppm.hpp"
+#include "output/table.hpp"
+#include "output/whole_file.hpp"
+#include "scene/error.hpp"
+
+namespace glassbox {
+namespace {
+
+namespace fs = std::filesystem;
+using Extensions = std::span<const std::string_view>;
+
+constexpr std::string_view picture_files[] = {".png", ".ppm"};
+constexpr std::string_view measurement_files[] = {".csv", ".png", ".ppm", ".exr"};
+
+/// "a, b or c".
+std::string listed(Extensions names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
+    return text;
+}
+
+/// The one of these that the path has; the first for a device without any.
+std::string_view extension_of(const fs::path& path, Extensions known) {
+    std::string extension = path.extension().string();
+    if (extension.empty() && is_device(path)) return known.front();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const auto found = std::find(known.begin(), known.end(), extension);
+    if (found != known.end()) return *found;
+    const std::string what =
+        extension.empty() ? "the name has no extension" : "unknown extension " + path.extension().string();
+    throw error_at({path.string()}, fmt::format("{}; use {}", what, listed(known)));
+}
+
+std::vector<std::byte> encoded(const Image& image, std::string_view extension) {
+    return extension == ".ppm" ? ppm(image) : png(image);
+}
+
+}  // namespace
+
+void check_picture_file(const fs::path& path) {
+    check_writable(path);
+    extension_of(path, picture_files);
+}
+
+void check_measurements_file(const fs::path& path) {
+    check_writable(path);
+    extension_of(path, measurement_files);
+}
+
+void write_picture(const fs::path& path, const Image& image, std::stop_token stop) {
+    check_picture_file(path);
+    write_whole(path, encoded(image, extension_of(path, picture_files)), stop);
+}
+
+void write_measurements(const fs::path& path, std::span<const Measured> measured, std::stop_token stop) {
+    check_measurements_file(path);
+    const std::string_view extension = extension_of(path, measurement_files);
+    if (extension == ".csv")
+        write_whole(
+            path, [&](const Sink& sink) { table(measured, sink); }, stop);
+    else if (extension == ".exr") write_whole(path, exr(measured), stop);
+    else write_whole(path, encoded(heat_map(measured), extension), stop);
+}
+
+}  // namespace glassbox

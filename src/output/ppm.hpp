@@ -1,0 +1,12 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "render/image.hpp"
+
+namespace glassbox {
+
+/// The bytes of a PPM file in its binary form, P6: the simplest picture file that there is.
+std::vector<std::byte> ppm(const Image& image);
+
+}  // namespace glassbox

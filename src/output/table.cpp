@@ -1,0 +1,51 @@
+#include "output/table.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace glassbox {
+namespace {
+
+template <class Number>
+void append(std::string& text, Number number) {
+    char digits[32];  // the longest double, -2.2250738585072014e-308, has 24 characters
+    const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+    text.append(digits, end);
+}
+
+}  // namespace
+
+void table(std::span<const Measured> measured, const Sink& sink) {
+    const std::vector<const Plane*> planes = all_planes(measured);
+    const int width = planes.empty() ? 0 : planes.front()->width;
+    const int height = planes.empty() ? 0 : planes.front()->height;
+    std::string text = "x,y";
+    for (const Plane* plane : planes) {
+        if (plane->width != width || plane->height != height)
+            throw std::invalid_argument("planes of different sizes do not fit in one table");
+        text += ',' + plane->name;
+    }
+    text += '\n';
+
+    std::size_t pixel = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x, ++pixel) {
+            append(text, x);
+            text += ',';
+            append(text, y);
+            for (const Plane* plane : planes) {
+                text += ',';
+                if (!std::isnan(plane->values[pixel])) append(text, plane->values[pixel]);
+            }
+            text += '\n';
+        }
+        sink(std::as_bytes(std::span(text)));
+        text.clear();
+    }
+    if (!text.empty()) sink(std::as_bytes(std::span(text)));
+}
+
+}  // namespace glassbox
