@@ -3,7 +3,6 @@ find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(tomlplusplus REQUIRED)
-find_package(tinyobjloader REQUIRED)
 find_package(tinyexr REQUIRED)
 
 # Header-only libraries without a CMake package: a target for each, its headers found once.

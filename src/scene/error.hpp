@@ -20,8 +20,9 @@ struct Place {
 /// "file:line:column: error: message", without the parts that are not known.
 inline Error error_at(const Place& place, const std::string& message) {
     std::string where = place.file;
-    if (place.line != 0) where += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
-    return Error(where + ": error: " + message);
+    if (place.line != 0) where.append(":").append(std::to_string(place.line));
+    if (place.line != 0) where.append(":").append(std::to_string(place.column));
+    return Error(where.append(": error: ").append(message));
 }
 
 }  // namespace glassbox

@@ -1,0 +1,46 @@
+#include "scene/suggestion.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace glassbox {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    const auto same = [](char x, char y) {
+        return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+    };
+    // d[i][j] for the first i letters of a and the first j of b.
+    std::vector d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                d[i][j] = i + j;
+                continue;
+            }
+            d[i][j] =
+                std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1)});
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    }
+    return d[a.size()][b.size()];
+}
+
+std::string suggestion(std::string_view unknown, std::span<const std::string_view> known) {
+    constexpr std::size_t longest = 100;  // nothing that long is a slip of the pen
+    if (unknown.size() < longest) {
+        const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
+            return edit_distance(unknown, a) < edit_distance(unknown, b);
+        });
+        const auto near_enough = [&](std::string_view name) {
+            return edit_distance(unknown, name) <= (std::max(unknown.size(), name.size()) + 2) / 3;
+        };
+        if (nearest != known.end() && near_enough(*nearest)) return "did you mean '" + std::string(*nearest) + "'?";
+    }
+    std::string names;
+    for (const auto name : known) names += (names.empty() ? "'" : ", '") + std::string(name) + "'";
+    return "it must be one of " + names;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,72 @@
+#include "scene/text_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "scene/error.hpp"
+
+namespace glassbox {
+
+std::optional<std::string> why_unreadable(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found) return "there is no such file";
+    if (std::filesystem::is_directory(status)) return "it is a directory, not a file";
+    errno = 0;
+    if (!std::ifstream(file)) return "it cannot be read: " + std::generic_category().message(errno);
+    return std::nullopt;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    const Place place{file.string()};
+    if (const auto reason = why_unreadable(file)) throw error_at(place, *reason);
+    std::ifstream in(file, std::ios::binary);
+    std::string text;
+    // In pieces, each looked at before the next: a device that never ends is refused, too.
+    std::array<char, 1 << 16> piece;
+    while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
+        const auto end = piece.begin() + in.gcount();
+        if (std::find(piece.begin(), end, '\0') != end)
+            throw error_at(place, "this is a binary file; it must be a text file");
+        text.append(piece.begin(), end);
+    }
+    if (in.bad()) throw error_at(place, "reading stopped halfway: " + std::generic_category().message(errno));
+    return text;
+}
+
+std::optional<std::size_t> first_not_utf8(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    for (std::size_t i = 0; i < text.size();) {
+        const unsigned lead = byte(i);
+        const std::size_t size = lead < 0x80   ? 1
+                                 : lead < 0xC2 ? 0
+                                 : lead < 0xE0 ? 2
+                                 : lead < 0xF0 ? 3
+                                 : lead < 0xF5 ? 4
+                                               : 0;
+        if (size == 0 || i + size > text.size()) return i;
+        unsigned code = size == 1 ? lead : lead & (0x7Fu >> size);
+        for (std::size_t k = i + 1; k < i + size; ++k) {
+            if ((byte(k) & 0xC0u) != 0x80u) return i;
+            code = code << 6 | (byte(k) & 0x3Fu);
+        }
+        // Longer than need be, a surrogate, or beyond Unicode's end.
+        if ((size == 3 && code < 0x800) || (size == 4 && code < 0x10000)) return i;
+        if ((code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return i;
+        i += size;
+    }
+    return std::nullopt;
+}
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t most = 60;
+    std::string shown(text.substr(0, most));
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
+    return "'" + shown + (text.size() > most ? "…'" : "'");
+}
+
+}  // namespace glassbox

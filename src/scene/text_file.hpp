@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace glassbox {
+
+/// Why a file cannot be read ("there is no such file", "it is a directory, not a file"), if it cannot.
+std::optional<std::string> why_unreadable(const std::filesystem::path& file);
+
+/// All of a text file. Throws Error if it cannot be read, or holds a byte 0 and so is not text.
+std::string read_text(const std::filesystem::path& file);
+
+/// Where the first byte lies that is not well-formed UTF-8, if there is one.
+std::optional<std::size_t> first_not_utf8(std::string_view text);
+
+/// The text between quotes, fit to stand in a line of a message: cut where it is long, without control characters.
+std::string in_quotes(std::string_view text);
+
+}  // namespace glassbox
