@@ -1,0 +1,4 @@
+// Not compiled: what arrows_test.sh expects arrows.sh to find.
+#pragma once
+#include <ray.hpp>
+#include "ray.hpp"  // wrong
