@@ -1,18 +1,49 @@
-# The libraries that Glassbox stands on; all are Debian packages (the names are in the script ./glassbox).
-find_package(Threads REQUIRED)
-find_package(fmt REQUIRED)
-find_package(TBB REQUIRED)
-find_package(tomlplusplus REQUIRED)
-find_package(tinyexr REQUIRED)
+# The compilers and libraries that Glassbox stands on. All are Debian packages, and ./glassbox installs them.
+set(oldest_GNU 11)
+set(oldest_Clang 14)
+set(oldest ${oldest_${CMAKE_CXX_COMPILER_ID}})
+if(oldest AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS oldest)
+  message(FATAL_ERROR "${CMAKE_CXX_COMPILER} is version ${CMAKE_CXX_COMPILER_VERSION}, too old for Glassbox's C++20: "
+    "it needs g++ 11 or clang++ 14, or newer.\nTo choose another: rm -r ${CMAKE_BINARY_DIR}; CXX=g++-12 ./glassbox")
+endif()
 
-# Header-only libraries without a CMake package: a target for each, its headers found once.
-function(glassbox_header_library name header)
-  find_path(GLASSBOX_${name}_DIR ${header} PATH_SUFFIXES ${ARGN} REQUIRED)
+# What is missing is told all at once, at the end.
+set(GLASSBOX_MISSING "")
+
+# A library that brings a CMake package, and the Debian package that it is in.
+macro(glassbox_package name debian)
+  find_package(${name} QUIET)
+  if(NOT ${name}_FOUND)
+    list(APPEND GLASSBOX_MISSING ${debian})
+  endif()
+endmacro()
+
+# A header-only library without a CMake package: a target for it, its headers found once.
+function(glassbox_header_library name header debian)
+  find_path(GLASSBOX_${name}_DIR ${header} PATH_SUFFIXES ${name})
+  if(NOT GLASSBOX_${name}_DIR)
+    set(GLASSBOX_MISSING ${GLASSBOX_MISSING} ${debian} PARENT_SCOPE)
+    return()
+  endif()
   add_library(glassbox_${name} INTERFACE)
   target_include_directories(glassbox_${name} SYSTEM INTERFACE ${GLASSBOX_${name}_DIR})
 endfunction()
-glassbox_header_library(stb stb_image_write.h stb)
-glassbox_header_library(cli11 CLI/CLI.hpp)
+
+find_package(Threads REQUIRED)
+glassbox_package(fmt libfmt-dev)
+glassbox_package(TBB libtbb-dev)
+glassbox_package(tomlplusplus libtomlplusplus-dev)
+glassbox_package(tinyobjloader libtinyobjloader-dev)
+glassbox_package(tinyexr libtinyexr-dev)
+glassbox_header_library(stb stb_image_write.h libstb-dev)
+glassbox_header_library(cli11 CLI/CLI.hpp libcli11-dev)
 if(GLASSBOX_TESTS)
-  glassbox_header_library(doctest doctest.h doctest)
+  glassbox_header_library(doctest doctest.h doctest-dev)
+endif()
+
+if(GLASSBOX_MISSING)
+  list(JOIN GLASSBOX_MISSING " " GLASSBOX_MISSING)
+  message(FATAL_ERROR "Libraries are missing. By their Debian names: ${GLASSBOX_MISSING}\n"
+    "Debian, Ubuntu: sudo apt-get install ${GLASSBOX_MISSING}\n"
+    "Elsewhere: the same libraries from your package manager, or CMAKE_PREFIX_PATH set to where they are")
 endif()
