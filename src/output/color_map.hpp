@@ -34,6 +34,6 @@ ColorMap diverging_colors();
 Rgb direction_color(double x, double y, double z);
 
 /// Where there is no value: nearly black, darker than either map and than any direction.
-inline constexpr Rgb no_value_color{24, 24, 24};
+inline constexpr Rgb no_value_color{20, 20, 20};
 
 }  // namespace glassbox

@@ -131,14 +131,14 @@ struct Column {
         fill(image, 1, top + 1, side - 2, side - 2, color);
     }
 
-    /// Two texts on one line, at its ends, or on two if they do not fit.
+    /// Two texts on one line, at its ends, or on lines of their own if they do not fit.
     void ends(const std::string& left, const std::string& right, int width) {
         const int right_width = text_width(right, size);
         const bool together = text_width(left, size) + size + right_width <= width;
-        int top = grow(line());
-        draw_text(image, 0, top, left, {size, ink});
-        if (!together) top = grow(line());
-        draw_text(image, std::max(0, width - right_width), top, right, {size, ink});
+        const int top = grow(0);
+        paragraph(left, {size, ink});
+        if (!together && right_width > width) return paragraph(right, {size, ink});
+        draw_text(image, width - right_width, together ? top : grow(line()), right, {size, ink});
     }
 };
 
@@ -368,19 +368,20 @@ Image heat_map(std::span<const Measured> measured) {
     const int gap = margin / 2;  // between the parts of a panel
     const int height = title + gap + picture + gap + legend;
 
-    // The number of columns that makes the sheet nearest to a square.
+    // The number of columns that makes the sheet nearest to a square, and leaves the fewest places empty.
     const int count = static_cast<int>(panels.size());
     const auto sheet = [&](int columns) {
         const int rows = (count + columns - 1) / columns;
         return std::pair(margin + columns * (width + margin), margin + rows * (height + margin));
     };
     int columns = 1;
-    const auto squareness = [&](int c) {
+    const auto goodness = [&](int c) {
         const auto [w, h] = sheet(c);
-        return static_cast<double>(std::min(w, h)) / std::max(w, h);
+        const double used = static_cast<double>(count) / ((count + c - 1) / c * c);
+        return used * std::min(w, h) / std::max(w, h);
     };
     for (int c = 2; c <= count; ++c)
-        if (squareness(c) > squareness(columns)) columns = c;
+        if (goodness(c) > goodness(columns)) columns = c;
 
     const auto [sheet_width, sheet_height] = sheet(columns);
     Image image(sheet_width, sheet_height, paper);

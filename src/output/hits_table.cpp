@@ -1,0 +1,51 @@
+#include "output/hits_table.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+
+namespace glassbox {
+
+namespace {
+
+constexpr std::size_t piece = 1 << 20;
+
+std::string shortest(long double t, Scalar scalar) {
+    switch (scalar) {
+        case Scalar::float_:
+            return fmt::format("{}", static_cast<float>(t));
+        case Scalar::double_:
+            return fmt::format("{}", static_cast<double>(t));
+        default:
+            return fmt::format("{}", t);
+    }
+}
+
+std::string row(std::size_t ray, const Shot& shot, Scalar scalar) {
+    switch (shot.verdict) {
+        case Shot::Verdict::hit:
+            return fmt::format("{},hit,{},{},,,{}\n", ray, shot.surface, shortest(shot.t, scalar), shot.hits);
+        case Shot::Verdict::miss:
+            return fmt::format("{},miss,,,,,0\n", ray);
+        default:
+            return fmt::format("{},invalid,,,,,0\n", ray);
+    }
+}
+
+}  // namespace
+
+void hits_table(std::span<const Shot> shots, Scalar scalar, const Sink& sink) {
+    std::string rows = "ray,verdict,surface,t,t_error,decided,hits\n";
+    const auto flush = [&] {
+        sink(std::as_bytes(std::span(rows)));
+        rows.clear();
+    };
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        rows += row(i, shots[i], scalar);
+        if (rows.size() >= piece) flush();
+    }
+    flush();
+}
+
+}  // namespace glassbox

@@ -1,0 +1,158 @@
+#include "output/heat_map.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "output/color_map.hpp"
+
+using namespace glassbox;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::string_view one[] = {"value"};
+constexpr std::string_view three[] = {"normal.x", "normal.y", "normal.z"};
+constexpr std::string_view explanation =
+    "a long explanation, which certainly has to be wrapped when the picture is small";
+
+const Measurement sequential{"value", "|D|", explanation, Scale::sequential, {}, one, {}};
+const Measurement sequential_fixed{"value", "length² |D|²", explanation, Scale::sequential, std::pair{0.0, 1.0}, one,
+                                   {}};
+const Measurement diverging{"value", "", explanation, Scale::diverging, {}, one, {}};
+const Measurement direction{"normal", "", explanation, Scale::direction, std::pair{-1.0, 1.0}, three, {}};
+
+Plane row(std::vector<double> values) {
+    const int width = static_cast<int>(values.size());
+    return {"value", width, 1, std::move(values)};
+}
+
+std::vector<Rgb> colors(const Measurement& what, const Plane& plane) { return colored({&what, {&plane, 1}}).pixels; }
+
+/// Whether the picture, each pixel enlarged, is part of the sheet.
+bool contains(const Image& sheet, const Image& picture, int factor) {
+    const auto matches = [&](int left, int top) {
+        for (int y = 0; y < picture.height * factor; ++y)
+            for (int x = 0; x < picture.width * factor; ++x)
+                if (sheet.at(left + x, top + y) != picture.at(x / factor, y / factor)) return false;
+        return true;
+    };
+    for (int top = 0; top + picture.height * factor <= sheet.height; ++top)
+        for (int left = 0; left + picture.width * factor <= sheet.width; ++left)
+            if (matches(left, top)) return true;
+    return false;
+}
+
+/// Whether nothing touches the sheet's edge: what is cut would.
+bool has_margin(const Image& sheet) {
+    const auto white = [&](int x, int y) { return sheet.at(x, y) == Rgb{255, 255, 255}; };
+    for (int x = 0; x < sheet.width; ++x)
+        if (!white(x, 0) || !white(x, sheet.height - 1)) return false;
+    for (int y = 0; y < sheet.height; ++y)
+        for (int x = 0; x < 8; ++x)
+            if (!white(x, y) || !white(sheet.width - 1 - x, y)) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("sequential: the least value is the first colour, the greatest the last") {
+    const ColorMap map = sequential_colors();
+    CHECK(colors(sequential, row({3, 7, 5, no_value})) == std::vector<Rgb>{map(0), map(1), map(0.5), no_value_color});
+}
+
+TEST_CASE("diverging: 0 is in the middle, and both sides have the same scale") {
+    const ColorMap map = diverging_colors();
+    CHECK(colors(diverging, row({-1, 0, 4})) == std::vector<Rgb>{map(0.375), map(0.5), map(1)});
+}
+
+TEST_CASE("a fixed range holds, and what lies outside gets the end's colour") {
+    const ColorMap map = sequential_colors();
+    CHECK(colors(sequential_fixed, row({-3, 0.25, 9, infinity, -infinity})) ==
+          std::vector<Rgb>{map(0), map(0.25), map(1), map(1), map(0)});
+}
+
+TEST_CASE("infinite values do not stretch the scale") {
+    const ColorMap map = sequential_colors();
+    CHECK(colors(sequential, row({1, 2, 3, infinity, -infinity})) ==
+          std::vector<Rgb>{map(0), map(0.5), map(1), map(1), map(0)});
+}
+
+TEST_CASE("a constant has the middle's colour") {
+    CHECK(colors(sequential, row({5, 5}))[0] == sequential_colors()(0.5));
+    CHECK(colors(diverging, row({0, 0}))[0] == diverging_colors()(0.5));
+}
+
+TEST_CASE("the largest and the smallest doubles have a scale, too") {
+    const ColorMap map = sequential_colors();
+    const double most = std::numeric_limits<double>::max();
+    const double tiny = std::numeric_limits<double>::denorm_min();
+    CHECK(colors(sequential, row({-most, 0, most})) == std::vector<Rgb>{map(0), map(0.5), map(1)});
+    CHECK(colors(sequential, row({0, tiny, 2 * tiny})) == std::vector<Rgb>{map(0), map(0.5), map(1)});
+}
+
+TEST_CASE("a direction is a colour; without one component it is none") {
+    const Plane planes[] = {row({1, 0, 0}), row({0, -1, no_value}), row({0, 0, 1})};
+    CHECK(colored({&direction, planes}).pixels == std::vector<Rgb>{{255, 128, 128}, {128, 0, 128}, no_value_color});
+}
+
+TEST_CASE("the sheet has the plane in it, pixel for pixel, or in whole multiples") {
+    for (const auto& [width, height, factor] : {std::tuple{210, 30, 1}, {100, 40, 2}, {3, 2, 67}}) {
+        Plane plane{"value", width, height, {}};
+        for (int i = 0; i < width * height; ++i) plane.values.push_back(std::sin(i));
+        const Measured measured{&sequential, {&plane, 1}};
+        CHECK(contains(heat_map({&measured, 1}), colored(measured), factor));
+    }
+}
+
+TEST_CASE("whatever the size and the values, nothing reaches the edge") {
+    const double values[][3] = {{0, 1, 2},
+                                {no_value, no_value, no_value},
+                                {5, 5, 5},
+                                {infinity, 1, -infinity},
+                                {infinity, infinity, infinity},
+                                {-1e300, 0, 1e300},
+                                {-1.7e308, 0, 1.7e308},
+                                {1e-300, 2e-300, 3.123456e-300},
+                                {-5e-324, 0, 5e-324},
+                                {-1.2345678901234567e-300, -1.2345678901234567e-300, -1.2345678901234567e-300},
+                                {1, 1, 1 + 0x1p-52},
+                                {0, 123456789, 999999999}};
+    for (const auto& [width, height] : {std::pair{1, 1}, {3, 1}, {20, 500}, {500, 20}, {1500, 40}})
+        for (const auto& triple : values) {
+            Plane plane{"value", width, height, {}};
+            for (int i = 0; i < width * height; ++i) plane.values.push_back(triple[i % 3]);
+            CAPTURE(width);
+            CAPTURE(triple[0]);
+            CAPTURE(triple[2]);
+            const std::vector<Plane> same(3, plane);
+            for (const Measurement* what : {&sequential, &sequential_fixed, &diverging, &direction}) {
+                const Measured measured{what, std::span(same).first(what->planes.size())};
+                CHECK(has_margin(heat_map({&measured, 1})));
+            }
+        }
+}
+
+TEST_CASE("several stand side by side, about in a square, without empty places if possible") {
+    const Plane plane{"value", 300, 200, std::vector<double>(60000, 1)};
+    const Measured measured{&sequential, {&plane, 1}};
+    const Image single = heat_map({&measured, 1});
+    for (const std::size_t count : {2u, 4u, 6u, 12u}) {
+        const Image sheet = heat_map(std::vector<Measured>(count, measured));
+        CHECK(has_margin(sheet));
+        CHECK(sheet.width < 3 * sheet.height);
+        CHECK(sheet.height < 3 * sheet.width);
+        CHECK(sheet.width > single.width);
+    }
+}
+
+TEST_CASE("the same planes make the same sheet, and no planes an empty one") {
+    const Plane plane = row({1, 2, 3});
+    const Measured measured{&sequential, {&plane, 1}};
+    CHECK(heat_map({&measured, 1}).pixels == heat_map({&measured, 1}).pixels);
+    CHECK(has_margin(heat_map({})));
+}
