@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+/// A picture as the lessons see it: column j counts to the right, row i upwards, from the bottom-left pixel's 0.
+class Picture {
+public:
+    Picture(int w, int h) : width(w), height(h), bytes(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+    /// Any three numbers will do as a colour, red, green, blue from 0 to 255.
+    template <class Color>
+    void paint(int j, int i, const Color& color) {
+        const auto& [red, green, blue] = color;
+        const auto pixel = static_cast<std::size_t>(height - 1 - i) * static_cast<std::size_t>(width) +
+                           static_cast<std::size_t>(j);  // a file begins with the top row
+        bytes[3 * pixel] = static_cast<char>(static_cast<unsigned char>(red));
+        bytes[3 * pixel + 1] = static_cast<char>(static_cast<unsigned char>(green));
+        bytes[3 * pixel + 2] = static_cast<char>(static_cast<unsigned char>(blue));
+    }
+
+    /// Writes the picture as a PPM file, whole or not at all, and returns the program's exit status.
+    int write(const std::string& path) const {
+        const std::string part = path + ".part";
+        std::ofstream file(part, std::ios::binary);
+        file << "P6\n" << width << ' ' << height << "\n255\n";
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        file.close();
+        if (file && std::rename(part.c_str(), path.c_str()) == 0) return 0;
+        std::remove(part.c_str());
+        std::fprintf(stderr, "%s: error: cannot write the picture; does its folder exist?\n", path.c_str());
+        return 1;
+    }
+
+private:
+    int width, height;
+    std::vector<char> bytes;
+};
