@@ -6,9 +6,6 @@
 
 namespace glassbox {
 
-/// The planes as colours, a pixel a value, without a legend: what the viewer lays over the picture.
-Image colored(const Measured& measured);
-
 /// A picture to project: the coloured planes, pixel for pixel (small ones in whole multiples), each with its name, what
 /// it means, the colours' scale, and how many pixels have no value or lie outside the scale. Several measurements stand
 /// side by side, in about a square.

@@ -48,6 +48,7 @@ std::string legend_number(double value, int digits) {
 int digits_between(double low, double high) {
     const double largest = std::max(std::abs(low), std::abs(high));
     if (!(high > low)) return 6;
+    if (std::isinf(high - low)) return 4;
     return std::clamp(decimal_exponent(largest) - decimal_exponent(high - low) + 3, 4, 17);
 }
 

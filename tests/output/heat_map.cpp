@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "output/color_map.hpp"
+#include "output/coloring.hpp"
 
 using namespace glassbox;
 
@@ -126,7 +127,7 @@ TEST_CASE("whatever the size and the values, nothing reaches the edge") {
         for (const auto& triple : values) {
             Plane plane{"value", width, height, {}};
             for (int i = 0; i < width * height; ++i) plane.values.push_back(triple[i % 3]);
-            CAPTURE(width);
+            CAPTURE(plane.width);
             CAPTURE(triple[0]);
             CAPTURE(triple[2]);
             const std::vector<Plane> same(3, plane);

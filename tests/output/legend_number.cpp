@@ -34,6 +34,7 @@ TEST_CASE("numbers as a reader writes them") {
 
 TEST_CASE("digits enough to tell the ends apart") {
     CHECK(digits_between(0, 1) == 4);
+    CHECK(digits_between(-1.7e308, 1.7e308) == 4);  // their difference is infinite
     // 100.0001 and 100.0002 differ in the seventh digit; two more show where in between.
     CHECK(digits_between(100.0001, 100.0002) >= 7);
     CHECK(legend_number(100.0001, digits_between(100.0001, 100.0002)) == "100.0001");

@@ -1,0 +1,67 @@
+#include "output/coloring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace glassbox {
+
+Summary summarized(const Plane& plane) {
+    Summary all;
+    for (const double v : plane.values) {
+        if (std::isnan(v)) ++all.missing;
+        else if (std::isinf(v)) ++(v > 0 ? all.positive_infinite : all.negative_infinite);
+        else {
+            all.least = std::min(all.least, v);
+            all.greatest = std::max(all.greatest, v);
+            all.whole = all.whole && v == std::floor(v);
+        }
+    }
+    return all;
+}
+
+double Coloring::position(double value) const {
+    if (value < low) return 0;
+    if (value > high) return 1;
+    if (low == high) return 0.5;
+    // Scaled to about 1 first: 1e308 - -1e308 would be infinite, and 5e-324 has no half.
+    const int e = -std::max(std::ilogb(low), std::ilogb(high)) - 1;
+    const double from = std::ldexp(low, e);
+    return (std::ldexp(value, e) - from) / (std::ldexp(high, e) - from);
+}
+
+Rgb Coloring::operator()(double value) const { return std::isnan(value) ? no_value_color : map(position(value)); }
+
+Coloring coloring_of(const Measurement& what, const Summary& summary) {
+    double low = summary.any_finite() ? summary.least : 0;
+    double high = summary.any_finite() ? summary.greatest : 0;
+    if (what.range) std::tie(low, high) = *what.range;
+    const bool diverging = what.scale == Scale::diverging;
+    if (diverging) {
+        high = std::max(std::abs(low), std::abs(high));
+        low = -high;
+    }
+    const bool blocks = !what.range && summary.any_finite() && summary.whole && high - low < 20;
+    return {diverging ? diverging_colors() : sequential_colors(), low, high, blocks};
+}
+
+bool is_direction(const Measured& measured) {
+    return measured.what->scale == Scale::direction && measured.planes.size() == 3;
+}
+
+Image colored(const Measured& measured) {
+    const Plane& first = measured.planes.front();
+    Image image(first.width, first.height, no_value_color);
+    if (is_direction(measured)) {
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            const double x = first.values[i], y = measured.planes[1].values[i], z = measured.planes[2].values[i];
+            if (!std::isnan(x) && !std::isnan(y) && !std::isnan(z)) image.pixels[i] = direction_color(x, y, z);
+        }
+    } else {
+        const Coloring coloring = coloring_of(*measured.what, summarized(first));
+        std::transform(first.values.begin(), first.values.end(), image.pixels.begin(), coloring);
+    }
+    return image;
+}
+
+}  // namespace glassbox

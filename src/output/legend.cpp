@@ -1,0 +1,189 @@
+#include "output/legend.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output/coloring.hpp"
+#include "output/legend_number.hpp"
+
+namespace glassbox {
+namespace {
+
+/// Where on a bar of that width a value stands.
+int place_on_bar(const Coloring& coloring, double value, int width) {
+    double position = coloring.position(value);
+    if (coloring.blocks) position = (value - coloring.low + 0.5) / (coloring.high - coloring.low + 1);
+    return static_cast<int>(std::lround(position * (width - 1)));
+}
+
+/// The bar's colour in that column.
+Rgb color_on_bar(const Coloring& coloring, int column, int width) {
+    if (!coloring.blocks)
+        return coloring.map(coloring.low == coloring.high ? 0.5 : static_cast<double>(column) / (width - 1));
+    const double numbers = coloring.high - coloring.low + 1;
+    return coloring(coloring.low + std::floor(column * numbers / width));
+}
+
+struct PlacedLabel {
+    int mark, left;
+    std::string text;
+};
+
+/// The most ticks whose labels keep apart, each under its mark as far as the bar's ends allow.
+std::vector<PlacedLabel> placed_ticks(const Coloring& coloring, int width, int size) {
+    if (coloring.low == coloring.high) {
+        const std::string text = legend_number(coloring.low, 6);
+        const int half = text_width(text, size) / 2;
+        return {{width / 2, std::max(0, width / 2 - half), text}};
+    }
+    for (int most = std::max(2, width / (3 * size)); most >= 1; --most) {
+        std::vector<PlacedLabel> labels;
+        bool apart = true;
+        int end_of_last = -size;
+        for (const Tick& tick : ticks(coloring.low, coloring.high, most, coloring.blocks)) {
+            const int mark = place_on_bar(coloring, tick.value, width);
+            const int label_width = text_width(tick.label, size);
+            const int left = std::clamp(mark - label_width / 2, 0, std::max(0, width - label_width));
+            apart = apart && left >= end_of_last + size / 2 && label_width <= width;
+            end_of_last = left + label_width;
+            labels.push_back({mark, left, tick.label});
+        }
+        if (apart) return labels;
+    }
+    return {};
+}
+
+/// A triangle that points down at the bar.
+void draw_pointer(Image& image, int x, int y, int height) {
+    for (int row = 0; row < height; ++row) {
+        const int half = (height - 1 - row) * 2 / 3;
+        fill(image, x - half, y + row, 2 * half + 1, 1, ink);
+    }
+}
+
+void draw_bar(Column& column, const Coloring& coloring, const Summary& summary) {
+    const int size = column.size;
+    const int width = std::min(column.image.width, 40 * size);
+    if (summary.any_finite()) {
+        const int height = size / 2;
+        const int top = column.grow(height + 1);
+        for (const double v : {summary.least, summary.greatest})
+            draw_pointer(column.image,
+                         std::clamp(place_on_bar(coloring, std::clamp(v, coloring.low, coloring.high), width),
+                                    height * 2 / 3, width - 1 - height * 2 / 3),
+                         top, height);
+    }
+    const int bar = column.grow(size * 5 / 4);
+    for (int x = 0; x < width; ++x) fill(column.image, x, bar, 1, size * 5 / 4, color_on_bar(coloring, x, width));
+    const std::vector<PlacedLabel> labels = placed_ticks(coloring, width, size);
+    if (labels.empty()) return;
+    const int marks = column.grow(size / 3 + column.line());
+    const int thickness = std::max(1, size / 10);
+    for (const PlacedLabel& label : labels) {
+        fill(column.image, std::clamp(label.mark - thickness / 2, 0, width - thickness), marks, thickness, size / 3,
+             ink);
+        draw_text(column.image, label.left, marks + size / 3, label.text, {size, ink});
+    }
+}
+
+std::string pixels(std::int64_t count) { return count == 1 ? "1 pixel" : fmt::format("{} pixels", count); }
+
+void add_no_value(Column& column, std::int64_t missing) {
+    column.grow(column.size / 3);
+    column.swatch(no_value_color, missing == 0 ? "no value" : "no value: " + pixels(missing));
+}
+
+std::string with_unit(const std::string& number, std::string_view unit) {
+    return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+Column scale_legend(const Measured& measured, int width, int size) {
+    const Plane& plane = measured.planes.front();
+    const Summary summary = summarized(plane);
+    const Coloring coloring = coloring_of(*measured.what, summary);
+    const std::string_view unit = measured.what->unit;
+
+    Column column(width, size);
+    if (summary.any_finite()) {
+        const int digits = digits_between(summary.least, summary.greatest);
+        const std::string least = with_unit(legend_number(summary.least, digits), unit);
+        if (summary.least == summary.greatest) column.paragraph("least and greatest " + least, {size, ink});
+        else
+            column.ends("least " + least, "greatest " + with_unit(legend_number(summary.greatest, digits), unit),
+                        std::min(width, 40 * size));
+    } else {
+        column.paragraph("no pixel has a finite value", {size, ink});
+    }
+    if (summary.any_finite() || measured.what->range) draw_bar(column, coloring, summary);
+    add_no_value(column, summary.missing);
+
+    const auto count = [&](auto&& wanted) { return std::count_if(plane.values.begin(), plane.values.end(), wanted); };
+    const auto below = count([&](double v) { return v < coloring.low; }) - summary.negative_infinite;
+    const auto above = count([&](double v) { return v > coloring.high; }) - summary.positive_infinite;
+    const auto add = [&](std::int64_t number, Rgb color, const std::string& what) {
+        if (number > 0) column.swatch(color, what + ": " + pixels(number));
+    };
+    add(below, coloring.map(0), "below " + legend_number(coloring.low));
+    add(above, coloring.map(1), "above " + legend_number(coloring.high));
+    add(summary.negative_infinite, coloring.map(0), "−∞");
+    add(summary.positive_infinite, coloring.map(1), "∞");
+    return column;
+}
+
+Column direction_legend(const Measured& measured, int width, int size) {
+    Column column(width, size);
+    const char* names[] = {"x red", "y green", "z blue"};
+    const int indent = text_width("y green", size) + size / 2;
+    const int bar = std::min(width - indent, 20 * size);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int top = column.grow(column.line());
+        draw_text(column.image, 0, top, names[axis], {size, ink});
+        for (int x = 0; x < bar; ++x) {
+            const double v = 2.0 * x / (bar - 1) - 1;
+            const Rgb color = direction_color(axis == 0 ? v : 0, axis == 1 ? v : 0, axis == 2 ? v : 0);
+            fill(column.image, indent + x, top + size / 12, 1, size, color);
+        }
+    }
+    const int top = column.grow(column.line());
+    const auto label = [&](const char* text, int share_of_two) {
+        const int free = bar - text_width(text, size);
+        draw_text(column.image, indent + free * share_of_two / 2, top, text, {size, ink});
+    };
+    label("−1", 0);
+    label("0", 1);
+    label("1", 2);
+
+    std::int64_t missing = 0, outside = 0;
+    for (std::size_t i = 0; i < measured.planes[0].values.size(); ++i) {
+        const double x = measured.planes[0].values[i], y = measured.planes[1].values[i],
+                     z = measured.planes[2].values[i];
+        if (std::isnan(x) || std::isnan(y) || std::isnan(z)) ++missing;
+        else if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > 1) ++outside;
+    }
+    add_no_value(column, missing);
+    if (outside > 0)
+        column.paragraph(fmt::format("beyond −1 or 1, shown as if there: {}", pixels(outside)), {size, ink});
+    return column;
+}
+
+}  // namespace
+
+Column title(const Measurement& what, int width, int size) {
+    Column column(width, size);
+    const std::string name = what.unit.empty() ? std::string(what.name) : fmt::format("{} in {}", what.name, what.unit);
+    column.paragraph(name, {size * 4 / 3, ink});
+    column.paragraph(what.explanation, {size, soft_ink});
+    return column;
+}
+
+Column legend(const Measured& measured, int width, int size) {
+    return is_direction(measured) ? direction_legend(measured, width, size) : scale_legend(measured, width, size);
+}
+
+}  // namespace glassbox
