@@ -1,13 +1,12 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 namespace glassbox {
 
-/// The numbers that a pixel's probe keeps while the pixel is traced; `no_value` where the formula was not reached.
 struct PixelNumbers;
 
 /// How a measurement is coloured.
@@ -20,17 +19,18 @@ enum class Scale {
 /// One thing that `glassbox measure` can measure.
 struct Measurement {
     std::string_view name;         ///< as typed: "depth"
-    std::string_view unit;         ///< "|D|", "1" for a pure number
+    std::string_view unit;         ///< "|D|"; empty for a pure number or a count
     std::string_view explanation;  ///< one line for a legend or a list
     Scale scale;
-    std::span<const std::string_view> planes;        ///< the names of its components: itself, or x, y and z
-    std::optional<std::pair<double, double>> range;  ///< fixed range of its colours; otherwise that of its values
+    std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; otherwise that of its values
+    std::span<const std::string_view> planes;            ///< the names of its components: itself, or x, y and z
+    std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has planes
 };
 
 /// All measurements, in the order in which they are listed.
 std::span<const Measurement> measurements();
 
-/// The measurement of that name, if there is one.
+/// The measurement of that name, or null.
 const Measurement* find_measurement(std::string_view name);
 
 }  // namespace glassbox

@@ -1,0 +1,28 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "render/options.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// What the command line of `render`, `measure` and `shoot` asks for: a scene, how to trace it, and what to change of
+/// it.
+struct Request {
+    std::string scene;
+    Options options;
+    int threads = 0;  ///< 0: all cores
+    std::optional<std::pair<int, int>> size;
+    std::optional<ShadingModel> model;
+    std::optional<double> ambient, diffuse, specular, exponent;
+};
+
+/// Gives a subcommand the SCENE argument and the options that all of them share.
+void add_scene_options(CLI::App& command, Request& request);
+
+/// The scene that is asked for, with its changes. Throws Error.
+Scene load(const Request& request);
+
+}  // namespace glassbox

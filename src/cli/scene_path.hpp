@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace glassbox {
+
+/// The file that SCENE means: the path as typed, or else one of the scenes that come with Glassbox ("levental-2014",
+/// "levental-2014.toml", "scenes/levental-2014.toml"). A name that is neither is returned as typed.
+std::filesystem::path scene_path(const std::string& typed);
+
+/// The folder of the scenes that come with Glassbox: beside the installed program, or in the source tree it was built
+/// in. Empty if neither is there.
+std::filesystem::path shipped_scenes();
+
+}  // namespace glassbox

@@ -1,0 +1,22 @@
+#pragma once
+#include <cmath>
+#include <concepts>
+
+namespace glassbox {
+
+/// A scalar that keeps sizes only: signs are dropped, and + and − both add. A formula run in it sums the absolute
+/// values of all its terms: the size of everything that could cancel.
+struct Magnitude {
+    double size = 0;
+
+    constexpr Magnitude() = default;
+    template <std::floating_point Real>
+    explicit Magnitude(Real value) : size(static_cast<double>(std::abs(value))) {}
+
+    friend Magnitude operator+(Magnitude a, Magnitude b) { return Magnitude(a.size + b.size); }
+    friend Magnitude operator-(Magnitude a, Magnitude b) { return Magnitude(a.size + b.size); }
+    friend Magnitude operator*(Magnitude a, Magnitude b) { return Magnitude(a.size * b.size); }
+    friend Magnitude operator-(Magnitude a) { return a; }
+};
+
+}  // namespace glassbox

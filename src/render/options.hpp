@@ -1,0 +1,26 @@
+#pragma once
+#include <variant>
+#include <vector>
+
+#include <sphere.hpp>
+#include <triangle.hpp>
+#include <turn.hpp>
+
+namespace glassbox {
+
+/// The scalar that the formulas run in.
+enum class Scalar { float_, double_, long_double };
+
+using SphereRule = std::variant<Stable, Textbook>;
+using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;
+
+/// How a scene is traced.
+struct Options {
+    int stage = 5;                    ///< 1 rays, 2 + spheres, 3 + triangles, 4 + shading, 5 + turns
+    std::vector<Turn<double>> turns;  ///< of the view, about the scene's pivot, in this order
+    Scalar scalar = Scalar::double_;
+    SphereRule sphere_rule;
+    TriangleRule triangle_rule;
+};
+
+}  // namespace glassbox

@@ -1,0 +1,57 @@
+#pragma once
+#include <tbb/blocked_range.h>
+#include <tbb/blocked_range2d.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstdint>
+
+#include "render/job.hpp"
+
+namespace glassbox {
+
+inline constexpr int tile_side = 32;
+
+/// Calls `work(begin, end)` style loops on the job's threads. More threads than cores are granted, too.
+template <class Range, class Body>
+void run_parallel(const Range& range, const Job& job, const Body& body) {
+    const int threads = job.threads > 0 ? job.threads : tbb::info::default_concurrency();
+    const tbb::global_control enough(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    tbb::task_arena(threads).execute([&] { tbb::parallel_for(range, body, tbb::simple_partitioner{}); });
+}
+
+/// Throws Cancelled if the job was asked to stop.
+inline void keep_going(const Job& job) {
+    if (job.stop.stop_requested()) throw Cancelled{};
+}
+
+/// Calls `work(x, y)` once for every pixel, tile by tile on the job's threads, in no fixed order. Throws Cancelled at
+/// the next pixel when the job is asked to stop.
+template <class Work>
+void for_each_pixel(int width, int height, const Job& job, const Work& work) {
+    run_parallel(tbb::blocked_range2d<int>(0, height, tile_side, 0, width, tile_side), job, [&](const auto& tile) {
+        for (int y = tile.rows().begin(); y != tile.rows().end(); ++y) {
+            for (int x = tile.cols().begin(); x != tile.cols().end(); ++x) {
+                keep_going(job);
+                work(x, y);
+            }
+            if (job.done) *job.done += tile.cols().end() - tile.cols().begin();
+        }
+    });
+}
+
+/// Calls `work(i)` once for each i from 0 to count − 1, in the same way.
+template <class Work>
+void for_each_index(std::size_t count, const Job& job, const Work& work) {
+    run_parallel(tbb::blocked_range<std::size_t>(0, count, 256), job, [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            keep_going(job);
+            work(i);
+        }
+        if (job.done) *job.done += static_cast<std::int64_t>(range.size());
+    });
+}
+
+}  // namespace glassbox

@@ -1,0 +1,22 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "render/image.hpp"
+#include "render/job.hpp"
+#include "render/measurements.hpp"
+#include "render/options.hpp"
+#include "render/plane.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// The scene's picture, its border painted over it. The same bytes whatever the number of threads. Throws Cancelled.
+Image render(const Scene& scene, const Options& options, const Job& job = {});
+
+/// What the formulas computed at each pixel: the planes of each measurement, in the order given. The border is not
+/// painted over them. Throws Cancelled.
+std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
+                                        std::span<const Measurement* const> wanted, const Job& job = {});
+
+}  // namespace glassbox

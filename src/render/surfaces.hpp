@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <rgb.hpp>
+#include <sphere.hpp>
+#include <triangle.hpp>
+
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// A scene's surfaces in the scalar that they are traced in. Spheres are numbered first, then triangles.
+template <class Real>
+struct Surfaces {
+    std::vector<Sphere<Real>> spheres;
+    std::vector<Triangle<Real>> triangles;
+};
+
+/// The surfaces that a stage knows: none in the first, spheres from the second, triangles and meshes from the third.
+template <class Real>
+Surfaces<Real> surfaces(const Scene& scene, int stage) {
+    Surfaces<Real> result;
+    if (stage >= 2)
+        for (const ColoredSphere& sphere : scene.spheres)
+            result.spheres.push_back({convert<Real>(sphere.center), static_cast<Real>(sphere.radius)});
+    if (stage >= 3) {
+        const auto add = [&](const Vec3<double>& A, const Vec3<double>& B, const Vec3<double>& C) {
+            result.triangles.push_back({convert<Real>(A), convert<Real>(B), convert<Real>(C)});
+        };
+        for (const auto& [vertices, color] : scene.triangles) add(vertices[0], vertices[1], vertices[2]);
+        for (const Mesh& mesh : scene.meshes)
+            for (const auto& [a, b, c] : mesh.faces) add(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+    }
+    return result;
+}
+
+/// The colours of all surfaces, by number.
+inline std::vector<Rgb> surface_colors(const Scene& scene) {
+    std::vector<Rgb> colors;
+    for (const ColoredSphere& sphere : scene.spheres) colors.push_back(sphere.color);
+    for (const ColoredTriangle& triangle : scene.triangles) colors.push_back(triangle.color);
+    for (const Mesh& mesh : scene.meshes) colors.insert(colors.end(), mesh.faces.size(), mesh.color);
+    return colors;
+}
+
+}  // namespace glassbox

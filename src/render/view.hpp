@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+#include <variant>
+
+#include <turn.hpp>
+#include <viewing_plane.hpp>
+
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// The viewing plane of a scene's picture, and where its rays come from.
+using View = std::variant<Parallel<double>, Pinhole<double>>;
+
+/// The scene's view after the turns.
+View view(const Scene& scene, std::span<const Turn<double>> turns);
+
+/// The ray of the pixel (x, y) of a picture `height` pixels high; y counts down from the top.
+inline Ray<double> pixel_ray(const View& view, int x, int y, int height) {
+    return std::visit([&](const auto& v) { return pixel_ray(v, x, height - 1 - y); }, view);
+}
+
+/// The same scene as a picture of another size. What is seen from bottom to top stays, pixels keep their shape, and
+/// what a wider or narrower picture gains or loses is the same on both sides.
+Scene resized(Scene scene, int width, int height);
+
+}  // namespace glassbox
