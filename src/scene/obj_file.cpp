@@ -117,6 +117,10 @@ std::vector<Vec3<double>> read_vertices(const Source& source) {
     return vertices;
 }
 
+std::string counted(std::size_t vertices) {
+    return fmt::format("{} {}", vertices, vertices == 1 ? "vertex" : "vertices");
+}
+
 /// The index, from 0, of the vertex that a corner names: by number from 1, or counting back from −1, the one before the
 /// face. "7", "7/1", "7//3" and "7/1/3" all name vertex 7.
 std::uint32_t corner(const Source& source, const Word& word, std::size_t vertices, std::size_t vertices_before) {
@@ -133,14 +137,14 @@ std::uint32_t corner(const Source& source, const Word& word, std::size_t vertice
     if (fits && number == 0) throw error_in(source, word.offset, "there is no vertex 0; vertices are numbered from 1");
     if (name.starts_with('-')) {
         if (!fits || static_cast<unsigned long long>(-(number + 1)) >= vertices_before)
-            throw error_in(
-                source, word.offset,
-                fmt::format("there is no vertex {}: this face comes after {} vertices", name, vertices_before));
+            throw error_in(source, word.offset,
+                           fmt::format("there is no vertex {}: only {} come{} before this face", name,
+                                       counted(vertices_before), vertices_before == 1 ? "s" : ""));
         return static_cast<std::uint32_t>(static_cast<long long>(vertices_before) + number);
     }
     if (!fits || static_cast<unsigned long long>(number) > vertices)
         throw error_in(source, word.offset,
-                       fmt::format("there is no vertex {}: the file has {} vertices", name, vertices));
+                       fmt::format("there is no vertex {}: the file has {}", name, counted(vertices)));
     return static_cast<std::uint32_t>(number - 1);
 }
 

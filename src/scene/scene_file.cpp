@@ -30,7 +30,9 @@ toml::table parse(std::string_view text, const std::string& file) {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
         const auto where = error.source().begin;
-        std::string message(error.description());
+        std::string_view description = error.description();
+        if (description.starts_with("Error ")) description.remove_prefix(6);
+        std::string message(description);
         std::replace(message.begin(), message.end(), '\n', ' ');
         throw error_at({file, where.line, where.column}, "this is not TOML: " + message);
     }
@@ -50,9 +52,9 @@ ParallelView parallel_view(const Section& view) {
     read.up = view.get("up", direction, read.up);
     read.direction = view.get("direction", direction, read.direction);
     if (parallel(read.right, read.up)) {
-        const auto blamed = view.find("up") ? view.find("up") : view.find("right");
-        throw wrong(blamed.value_or(view.self()),
-                    "makes right and up parallel; they must span the viewing plane, like [0, 1, 0] and [0, 0, 1]");
+        const auto up = view.find("up");
+        throw error_at(place(up ? *up : view.at("right", "")),
+                       "right and up are parallel; they must span the viewing plane, like [0, 1, 0] and [0, 0, 1]");
     }
     return read;
 }
@@ -139,8 +141,9 @@ Mesh read_mesh(const Section& mesh, const std::filesystem::path& folder) {
     const Value file = mesh.at("file", "file = \"bunny.obj\"");
     const std::filesystem::path path = folder / text(file);
     if (const auto reason = why_unreadable(path))
-        throw error_at(place(file), fmt::format("no mesh at {}: {}; file is relative to the scene file's folder",
-                                                in_quotes(path.string()), *reason));
+        throw error_at(place(file),
+                       fmt::format("cannot read the mesh {}: {} (file is relative to the scene file's folder)",
+                                   in_quotes(path.string()), *reason));
     return read_obj(path, mesh.get("color", color, light_grey));
 }
 

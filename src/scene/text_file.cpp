@@ -63,10 +63,13 @@ std::optional<std::size_t> first_not_utf8(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 60;
-    std::string shown(text.substr(0, most));
+    std::size_t size = std::min(text.size(), most);
+    if (size < text.size())  // not in the middle of a character
+        while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
+    std::string shown(text.substr(0, size));
     std::replace_if(
         shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
-    return "'" + shown + (text.size() > most ? "…'" : "'");
+    return "'" + shown + (size < text.size() ? "…'" : "'");
 }
 
 }  // namespace glassbox
