@@ -53,7 +53,7 @@ std::string remedy(const fs::path& path, int number) {
 }
 
 [[noreturn]] void fail(const fs::path& path, int number) {
-    throw error_at({path.string()},
+    throw error_at({path.empty() ? "\"\"" : path.string()},
                    fmt::format("cannot write: {}; {}", std::system_category().message(number), remedy(path, number)));
 }
 
