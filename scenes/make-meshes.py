@@ -74,6 +74,6 @@ def moved(mesh, by):
     return [plus(vertex, by) for vertex in mesh[0]], mesh[1]
 
 
-write_obj("knot.obj", "A (2, 3) torus knot, 96 rings of 8 corners", *moved(knot(2, 3, 96, 8, 1.5, 0.3), (2.9, 3.2, 1.55)))
+write_obj("knot.obj", "A (2, 3) torus knot, 80 rings of 7 corners", *moved(knot(2, 3, 80, 7, 1.5, 0.3), (2.9, 3.2, 1.55)))
 write_obj("floor-light.obj", "The light squares of a checkerboard of 8 by 8", *checkerboard(0, 8, 6))
 write_obj("floor-dark.obj", "The dark squares of a checkerboard of 8 by 8", *checkerboard(1, 8, 6))

@@ -80,16 +80,28 @@ private:
     int descriptor_;
 };
 
-/// A file that is removed again at the end of its life, unless it was renamed.
-struct Temporary {
-    fs::path path;
-
-    explicit Temporary(fs::path p) : path(std::move(p)) {}
+/// A file that is removed again at the end of its life, unless it was renamed; and as soon as its writer is asked to
+/// stop, so that nothing is left of it even if the program has to be ended then.
+class Temporary {
+public:
+    Temporary(fs::path path, const std::stop_token& stop)
+        : path_(std::move(path)), at_stop_(stop, [file = path_] { ::unlink(file.c_str()); }) {}
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
     ~Temporary() {
-        if (!path.empty()) ::unlink(path.c_str());
+        if (!path_.empty()) ::unlink(path_.c_str());
     }
+
+    /// 0, or the error number.
+    int rename(const fs::path& target) {
+        if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
+        path_.clear();
+        return 0;
+    }
+
+private:
+    fs::path path_;
+    std::stop_callback<std::function<void()>> at_stop_;
 };
 
 void write_bytes(const OpenFile& file, std::span<const std::byte> bytes, const fs::path& shown,
@@ -179,7 +191,7 @@ void write_whole(const fs::path& path, const std::function<void(const Sink&)>& p
 
     const fs::path target = behind_links(path);
     auto [name, descriptor] = create_temporary(folder_of(target), path);
-    Temporary temporary(std::move(name));
+    Temporary temporary(std::move(name), stop);
     OpenFile file(descriptor);
 
     struct stat existing {};
@@ -189,8 +201,10 @@ void write_whole(const fs::path& path, const std::function<void(const Sink&)>& p
     // Synchronised before the rename: after a power cut the name must not stand for an empty file.
     if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP) fail(path, errno);
     if (const int number = file.close()) fail(path, number);
-    if (::rename(temporary.path.c_str(), target.c_str()) != 0) fail(path, errno);
-    temporary.path.clear();
+    const int number = temporary.rename(target);
+    if (number == 0) return;
+    if (stop.stop_requested()) throw Cancelled{};
+    fail(path, number);
 }
 
 void write_whole(const fs::path& path, std::span<const std::byte> bytes, std::stop_token stop) {
