@@ -4,7 +4,7 @@
 namespace glassbox {
 
 /// What comparing two values of the scalar Real answers: a bool for the built-in ones. A scalar that carries its own
-/// error may answer "undecided"; it brings a truth of its own, with `!`, `&&`, `||`, `surely` and `possibly`.
+/// error may answer "undecided"; it brings a truth of its own, with `&`, `&&`, `!=`, `surely` and `possibly`.
 template <class Real>
 using Truth = decltype(std::declval<const Real&>() < std::declval<const Real&>());
 

@@ -65,9 +65,10 @@ struct Pluecker {
         probe(told::Corners{}, seen, D);
         probe(told::Sides{}, s.a, s.b, s.c);
         const Real zero(0);
-        const auto left = s.a >= zero && s.b >= zero && s.c >= zero;
-        const auto right = s.a <= zero && s.b <= zero && s.c <= zero;
-        const auto inside = (left || right) && !(left && right);
+        // & and not &&: signs of far triangles are random, and a branch for each would be guessed wrongly half the time.
+        const Truth<Real> left = (s.a >= zero) & (s.b >= zero) & (s.c >= zero);
+        const Truth<Real> right = (s.a <= zero) & (s.b <= zero) & (s.c <= zero);
+        const Truth<Real> inside = left != right;  // both hold where all three are 0
         if (!possibly(inside)) return {};
         const Real t = plane_t(D, seen, s);
         return {inside && t > zero, t};
