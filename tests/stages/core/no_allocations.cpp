@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <array>
-#include <cstdlib>
 #include <new>
 #include <probe.hpp>
 #include <shading.hpp>
@@ -10,17 +9,7 @@
 #include <triangle.hpp>
 #include <turn.hpp>
 
-namespace {
-long allocations = 0;  // the one thing that only a global can see: every operator new of the program
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc{};
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+extern long allocations;  // counted_new.cpp
 
 using namespace glassbox;
 
