@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     glassbox::add_render(program, session);
     glassbox::add_measure(program, session);
     glassbox::add_shoot(program, session);
+    glassbox::add_bench(program, session);
     glassbox::add_doctor(program);
     try {
         program.parse(argc, argv);

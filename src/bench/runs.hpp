@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glassbox {
+
+/// The least, the middle and the greatest of several numbers.
+struct Spread {
+    double least, median, greatest;
+};
+
+/// At least one number is needed.
+Spread spread(std::vector<double> numbers);
+
+/// Work to be timed: what it is called, how many rays it traces, and itself.
+struct Work {
+    std::string name;
+    double rays;
+    std::function<void()> run;
+};
+
+/// Million rays a second of each work in each run.
+using Speeds = std::vector<std::vector<double>>;
+
+/// Times all works in turn, `runs` times over: what slows the machine down for a while slows them all. Each is repeated
+/// within a run until at least a tenth of a second has passed.
+Speeds time_in_turn(const std::vector<Work>& works, int runs);
+
+/// How many times as fast the one was as the other, run by run.
+Spread ratio(const std::vector<double>& one, const std::vector<double>& other);
+
+}  // namespace glassbox

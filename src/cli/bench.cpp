@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <baseline.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/bare_numbers.hpp"
+#include "bench/runs.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_path.hpp"
+#include "render/render.hpp"
+#include "render/surfaces.hpp"
+#include "render/view.hpp"
+#include "scene/scene_file.hpp"
+
+namespace glassbox {
+
+namespace {
+
+struct BenchRequest {
+    std::vector<std::string> scenes{"levental-2014", "room"};
+    int runs = 7;
+};
+
+std::string shown(const Spread& s, const char* format) {
+    return fmt::format(fmt::runtime(fmt::format("{0} ({0} ... {0})", format)), s.median, s.least, s.greatest);
+}
+
+void print(const std::string& name, const std::vector<double>& speeds, const std::string& comparison = {}) {
+    fmt::print("  {:<34} {:<26} {}\n", name, shown(spread(speeds), "{:.3g}"), comparison);
+}
+
+std::string times(const std::vector<double>& one, const std::vector<double>& other, const std::string& what) {
+    return shown(ratio(one, other), "{:.3g}") + " times " + what;
+}
+
+/// A scene's surfaces and the rays of its pixels as bare numbers.
+struct Numbers {
+    std::vector<double> spheres, triangles, rays;
+
+    explicit Numbers(const Scene& scene) {
+        const auto add = [](std::vector<double>& to, const Vec3<double>& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
+        const Surfaces<double> all = surfaces<double>(scene, 5);
+        for (const Sphere<double>& sphere : all.spheres) {
+            add(spheres, sphere.c);
+            spheres.push_back(sphere.r);
+        }
+        for (const auto& [A, B, C] : all.triangles)
+            for (const Vec3<double>& vertex : {A, B, C}) add(triangles, vertex);
+        const View seen = view(scene, {});
+        for (int y = 0; y < scene.height; ++y)
+            for (int x = 0; x < scene.width; ++x) {
+                const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
+                add(rays, ray.P);
+                add(rays, ray.D);
+            }
+    }
+
+    BareNumbers bare() const { return {spheres, triangles, rays}; }
+};
+
+Work rendering(const Scene& scene, const std::string& name, const Job& job) {
+    return {name, 1.0 * scene.width * scene.height, [&scene, job] { render(scene, {}, job); }};
+}
+
+void bench_probes(const Scene& scene, int runs) {
+    const Numbers numbers(scene);
+    const double rays = 1.0 * scene.width * scene.height;
+    double sum = 0;  // keeps the compiler from leaving the work out
+    const Speeds speeds =
+        time_in_turn({{"nearest hit, without probes", rays, [&] { sum += sum_of_t_without_probe(numbers.bare()); }},
+                      {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }}},
+                     runs);
+    print("nearest hit, without probes", speeds[0]);
+    print("nearest hit, silent probe", speeds[1], times(speeds[1], speeds[0], "without probes"));
+    if (sum < 0) fmt::print("{}\n", sum);
+}
+
+void bench_scene(const std::string& name, int runs, const std::stop_token& stop) {
+    // Small enough that a run of the plain loop over a mesh takes seconds, not minutes.
+    Scene scene = read_scene(scene_path(name));
+    const Surfaces<double> all = surfaces<double>(scene, 5);
+    const std::size_t count = all.spheres.size() + all.triangles.size();
+    fmt::print("\n{}: {} x {} pixels, {} surfaces\n", name, scene.width, scene.height, count);
+    const bool papers = name == "levental-2014";
+    std::vector<Work> works{rendering(scene, "picture, 1 thread", {1, stop, nullptr}),
+                            rendering(scene, "picture, all threads", {0, stop, nullptr})};
+    if (papers)
+        works.push_back({"the paper's program, 1 thread", 1.0 * scene.width * scene.height,
+                         [&scene] { render_as_published(scene.width, scene.height, .2, 1, .2); }});
+    const Speeds speeds = time_in_turn(works, runs);
+    if (papers) print(works[2].name, speeds[2]);
+    print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[2], "the paper's program") : "");
+    print(works[1].name, speeds[1], times(speeds[1], speeds[0], "one thread"));
+    bench_probes(scene, runs);
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program, Session& session) {
+    const auto request = std::make_shared<BenchRequest>();
+    CLI::App* command =
+        program.add_subcommand("bench", "Measure speed: million rays a second, and what it compares with");
+    command->add_option("SCENE", request->scenes, "scenes to trace (default: levental-2014 room)");
+    command->add_option("--runs", request->runs, "how many runs of each, in turn")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->callback([request, &session] {
+        fmt::print("Million rays a second; {} runs of each, in turn: median (least ... greatest)\n", request->runs);
+        for (const std::string& scene : request->scenes) bench_scene(scene, request->runs, session.interrupt.token());
+    });
+}
+
+}  // namespace glassbox
