@@ -7,7 +7,7 @@
 # what render/tracer.hpp needs, and behind these the source itself. They lie in a namespace of their own, so that one program can hold both.
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(READ ${IN} text)
-  string(REGEX REPLACE "\n *(if \\([^\n]*\\) )?probe\\(told::[^;]*\\);" "" text "${text}")
+  string(REGEX REPLACE "\n *probe\\(told::[^;]*\\);" "" text "${text}")
   string(REPLACE "namespace glassbox {" "namespace glassbox::inline without_probes {" text "${text}")
   if(text MATCHES "\n[^/\n]*probe\\(told::[^\n]*")
     message(FATAL_ERROR "${IN}: error: a probe that is not a statement of its own: ${CMAKE_MATCH_0}")

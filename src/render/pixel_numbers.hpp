@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <shading.hpp>
 #include <sphere.hpp>
@@ -78,7 +79,7 @@ struct PixelNumbers {
 
     template <class Real>
     void operator()(told::Discriminant, const Real& value) {
-        if (!(discriminant >= static_cast<double>(value))) discriminant = static_cast<double>(value);
+        discriminant = std::fmax(discriminant, static_cast<double>(value));  // fmax passes over not a number
     }
 
     template <class Real>
@@ -97,10 +98,10 @@ struct PixelNumbers {
 
 private:
     Sides<Magnitude> side_sizes;
-    double smallest_side = no_value;
+    double smallest_side = std::numeric_limits<double>::infinity();
 
     void keep_side(double s, double size) {
-        if (std::abs(s) >= smallest_side) return;
+        if (!(std::abs(s) < smallest_side)) return;
         smallest_side = std::abs(s);
         side = size > 0 ? s / size : 0;
     }

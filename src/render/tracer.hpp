@@ -35,8 +35,10 @@ struct Tracer {
         std::optional<Hit<Real>> best;
         std::size_t surface = 0;
         const auto consider = [&](const Crossing<Real>& crossing) {
-            if (crossing.met) probe(told::Met{}, surface, crossing.t);
-            best = nearest(best, surface, crossing);
+            if (crossing.met) {
+                probe(told::Met{}, surface, crossing.t);
+                best = nearest(best, surface, crossing);
+            }
             ++surface;
         };
         for (const Sphere<Real>& sphere : surfaces.spheres) consider(intersect(ray, sphere, sphere_roots, probe));

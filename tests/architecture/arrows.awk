@@ -9,7 +9,8 @@ BEGIN {
     allow("explain", "render scene numerics")
     allow("viewer", "explain output render scene numerics")
     allow("learn", "explain output render scene numerics")
-    allow("cli", "learn viewer explain output render scene numerics")
+    allow("bench", "render scene numerics")
+    allow("cli", "bench learn viewer explain output render scene numerics")
 
     for (i = 1; i < ARGC; i++)
         if (split(ARGV[i], part, "/") == 4 && part[1] "/" part[2] == "src/core") stage_of[part[4]] = part[3] + 0

@@ -27,8 +27,8 @@ struct Hit {
 
 /// The nearer of the best hit so far and a crossing with another surface. At equal t the surface listed last wins.
 template <class Real>
-std::optional<Hit<Real>> nearest(const std::optional<Hit<Real>>& best, std::size_t surface,
-                                 const Crossing<Real>& crossing) {
+constexpr std::optional<Hit<Real>> nearest(const std::optional<Hit<Real>>& best, std::size_t surface,
+                                           const Crossing<Real>& crossing) {
     if (!crossing.met || (best && best->t < crossing.t)) return best;
     return Hit<Real>{surface, crossing.t};
 }

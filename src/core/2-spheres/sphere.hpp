@@ -30,7 +30,7 @@ struct Roots {
 /// section 1.1.1, for |D| = 1). Loses the sphere when it is small and far away: v² and r² differ too much in size.
 struct Textbook {
     template <class Real, class Probe>
-    Roots<Real> operator()(const Ray<Real>& ray, const Sphere<Real>& sphere, Probe& probe) const {
+    constexpr Roots<Real> operator()(const Ray<Real>& ray, const Sphere<Real>& sphere, Probe& probe) const {
         using std::sqrt;
         const Vec3<Real> D = ray.D;
         const Vec3<Real> v = ray.P - sphere.c;
@@ -51,7 +51,7 @@ struct Textbook {
 /// the sphere, wherever the ray starts; and q adds two numbers of one sign.
 struct Stable {
     template <class Real, class Probe>
-    Roots<Real> operator()(const Ray<Real>& ray, const Sphere<Real>& sphere, Probe& probe) const {
+    constexpr Roots<Real> operator()(const Ray<Real>& ray, const Sphere<Real>& sphere, Probe& probe) const {
         using std::sqrt;
         const Vec3<Real> d = ray.D;
         const Vec3<Real> f = ray.P - sphere.c;
@@ -74,7 +74,8 @@ struct Stable {
 /// Where the ray first meets the sphere: at the smaller root, or from inside, where that lies behind, at the larger. A
 /// tangent ray meets it. `roots` is Textbook or Stable.
 template <class Real, class RootsRule, class Probe>
-Crossing<Real> intersect(const Ray<Real>& ray, const Sphere<Real>& sphere, const RootsRule& roots, Probe& probe) {
+constexpr Crossing<Real> intersect(const Ray<Real>& ray, const Sphere<Real>& sphere, const RootsRule& roots,
+                                   Probe& probe) {
     probe(told::Tested{});
     const auto [real, t0, t1] = roots(ray, sphere, probe);
     if (!possibly(real)) return {};

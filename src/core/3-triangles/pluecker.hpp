@@ -13,7 +13,7 @@ namespace glassbox {
 /// As B × A = −(A × B) to the bit, two triangles that share the edge see exactly opposite numbers: no ray slips
 /// between.
 template <class Real>
-Real side(const Vec3<Real>& D, const Vec3<Real>& A, const Vec3<Real>& B) {
+constexpr Real side(const Vec3<Real>& D, const Vec3<Real>& A, const Vec3<Real>& B) {
     return dot(D, cross(B, A));
 }
 

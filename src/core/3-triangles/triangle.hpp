@@ -28,7 +28,7 @@ Vec3<Real> normal(const Triangle<Real>& triangle) {
 
 /// The triangle moved so that P becomes the origin.
 template <class Real>
-Triangle<Real> seen_from(const Vec3<Real>& P, const Triangle<Real>& triangle) {
+constexpr Triangle<Real> seen_from(const Vec3<Real>& P, const Triangle<Real>& triangle) {
     return {triangle.A - P, triangle.B - P, triangle.C - P};
 }
 
@@ -40,7 +40,7 @@ struct Sides {
 };
 
 template <class Real>
-Sides<Real> sides(const Vec3<Real>& D, const Triangle<Real>& triangle) {
+constexpr Sides<Real> sides(const Vec3<Real>& D, const Triangle<Real>& triangle) {
     const auto& [A, B, C] = triangle;
     return {side(D, B, C), side(D, C, A), side(D, A, B)};
 }
@@ -48,24 +48,26 @@ Sides<Real> sides(const Vec3<Real>& D, const Triangle<Real>& triangle) {
 /// Where a ray from the origin along D crosses the triangle's plane: the hit point is the weighted mean of the
 /// vertices, (aA + bB + cC) / (a + b + c) = tD, and its component along D is t.
 template <class Real>
-Real plane_t(const Vec3<Real>& D, const Triangle<Real>& triangle, const Sides<Real>& weights) {
+constexpr Real plane_t(const Vec3<Real>& D, const Triangle<Real>& triangle, const Sides<Real>& weights) {
     const auto& [A, B, C] = triangle;
     const auto& [a, b, c] = weights;
-    return (a * dot(D, A) + b * dot(D, B) + c * dot(D, C)) / ((a + b + c) * dot(D, D));
+    const Real D2 = dot(D, D);
+    return (a * (dot(D, A) / D2) + b * (dot(D, B) / D2) + c * (dot(D, C) / D2)) / (a + b + c);
 }
 
 /// The paper's test (its section 1.1.2): all three side products ≥ 0 or all ≤ 0, and not all 0. Edges and vertices
 /// belong to the triangle; one seen edge-on, or without area, has three zeros and is never hit.
 struct Pluecker {
     template <class Real, class Probe>
-    Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
+    constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
         const Vec3<Real> D = ray.D;
         const Triangle<Real> seen = seen_from(ray.P, triangle);
         const Sides<Real> s = sides(D, seen);
         probe(told::Corners{}, seen, D);
         probe(told::Sides{}, s.a, s.b, s.c);
         const Real zero(0);
-        // & and not &&: signs of far triangles are random, and a branch for each would be guessed wrongly half the time.
+        // & and not &&: signs of far triangles are random, and a branch for each would be guessed wrongly half the
+        // time.
         const Truth<Real> left = (s.a >= zero) & (s.b >= zero) & (s.c >= zero);
         const Truth<Real> right = (s.a <= zero) & (s.b <= zero) & (s.c <= zero);
         const Truth<Real> inside = left != right;  // both hold where all three are 0
@@ -82,7 +84,7 @@ struct Tolerance {
     double tolerance = 10.0;
 
     template <class Real, class Probe>
-    Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
+    constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
         using std::abs;
         const Vec3<Real> D = ray.D;
         const Triangle<Real> seen = seen_from(ray.P, triangle);
@@ -104,7 +106,7 @@ struct Tolerance {
 /// P + tD = A + u(B − A) + v(C − A) by Cramer's rule. Two triangles at one edge do not see opposite numbers here.
 struct MoellerTrumbore {
     template <class Real, class Probe>
-    Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe&) const {
+    constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe&) const {
         const auto& [A, B, C] = triangle;
         const Real zero(0), one(1);
         const Vec3<Real> E1 = B - A;
@@ -125,7 +127,8 @@ struct MoellerTrumbore {
 
 /// Where the ray meets the triangle. `rule` is Pluecker, Tolerance or MoellerTrumbore.
 template <class Real, class TriangleRule, class Probe>
-Crossing<Real> intersect(const Ray<Real>& ray, const Triangle<Real>& triangle, const TriangleRule& rule, Probe& probe) {
+constexpr Crossing<Real> intersect(const Ray<Real>& ray, const Triangle<Real>& triangle, const TriangleRule& rule,
+                                   Probe& probe) {
     probe(told::Tested{});
     return rule(ray, triangle, probe);
 }
