@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "render/options.hpp"
 #include "scene/scene.hpp"
@@ -21,6 +22,9 @@ struct Request {
 
 /// Gives a subcommand the SCENE argument and the options that all of them share.
 void add_scene_options(CLI::App& command, Request& request);
+
+/// Gives a subcommand an option that names a file.
+CLI::Option* add_file(CLI::App& command, const char* option, const char* value, const char* help, std::string& file);
 
 /// The scene that is asked for, with its changes. Throws Error.
 Scene load(const Request& request);

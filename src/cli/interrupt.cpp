@@ -5,17 +5,32 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <string>
 
 namespace glassbox {
 
 namespace {
 
-/// Ctrl-C, a polite kill, and the destructor's own word that nothing is left to wait for.
+bool is_ignored(int signal) {
+    struct sigaction action {};
+    return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// Ctrl-C, a polite kill, a closed terminal; and the destructor's own word that nothing is left to wait for.
 sigset_t awaited_signals() {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaddset(&set, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (!is_ignored(signal)) sigaddset(&set, signal);
+    sigaddset(&set, SIGUSR1);
     return set;
+}
+
+/// Ends the program at once, whatever the other threads are doing.
+[[noreturn]] void end() {
+    const std::string line = std::string(Interrupt::message) + '\n';
+    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, line.data(), line.size());
+    ::_exit(Interrupt::exit_status);
 }
 
 }  // namespace
@@ -23,7 +38,7 @@ sigset_t awaited_signals() {
 Interrupt::Interrupt() {
     const sigset_t set = awaited_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    waiter_ = std::thread([this] { wait_for_signal(); });
+    waiter_ = std::thread([this, set] { wait_for_signal(set); });
 }
 
 Interrupt::~Interrupt() {
@@ -36,15 +51,14 @@ Interrupt::~Interrupt() {
     waiter_.join();
 }
 
-void Interrupt::wait_for_signal() {
-    const sigset_t set = awaited_signals();
+void Interrupt::wait_for_signal(const sigset_t& awaited) {
     int signal = 0;
-    sigwait(&set, &signal);
+    sigwait(&awaited, &signal);
     if (signal == SIGUSR1) return;
     source_.request_stop();
     std::unique_lock lock(mutex_);
-    if (over_.wait_for(lock, std::chrono::milliseconds(80), [this] { return work_is_over_; })) return;
-    ::_exit(exit_status);
+    if (over_.wait_for(lock, std::chrono::milliseconds(50), [this] { return work_is_over_; })) return;
+    end();
 }
 
 }  // namespace glassbox

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <exception>
 #include <new>
 
 #include "cli/commands.hpp"
+#include "cli/refusal.hpp"
+#include "cli/tell.hpp"
 #include "render/job.hpp"
 #include "scene/error.hpp"
 
@@ -13,46 +15,56 @@ namespace {
 constexpr int work_failed = 1;
 constexpr int bad_command_line = 2;
 
-int refuse(const CLI::App& program, const CLI::ParseError& error) {
-    std::string name = "glassbox";
-    for (const CLI::App* command : program.get_subcommands()) name += " " + command->get_name();
-    fmt::print(stderr, "{}: error: {}; see '{} --help'\n", name, error.what(), name);
-    return bad_command_line;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    glassbox::Session session;
-    CLI::App program("A ray tracer that you can see through: renders a scene, and shows every number behind it.",
-                     "glassbox");
+void add_commands(CLI::App& program, glassbox::Session& session) {
     program.set_version_flag("--version", "glassbox " GLASSBOX_VERSION);
     program.require_subcommand(1);
+    program.footer("'glassbox COMMAND --help' tells more. To begin with: glassbox render levental-2014");
     glassbox::add_render(program, session);
     glassbox::add_measure(program, session);
     glassbox::add_shoot(program, session);
     glassbox::add_bench(program, session);
     glassbox::add_doctor(program);
+}
+
+/// Does what the command line says. Throws CLI::ParseError if it cannot be understood.
+int run(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);
         return 0;
-    } catch (const CLI::Success& wanted) {
+    } catch (const CLI::Success& wanted) {  // --help, --version
         return program.exit(wanted);
     } catch (const CLI::RuntimeError& ended) {
         return ended.get_exit_code();
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using glassbox::tell;
+    glassbox::keep_stderr_open();
+    CLI::App program("A ray tracer that you can see through: renders a scene, and shows every number behind it.",
+                     "glassbox");
+    try {
+        glassbox::Session session;
+        add_commands(program, session);
+        const int status = run(program, argc, argv);
+        glassbox::check_printed();
+        return status;
     } catch (const CLI::ParseError& error) {
-        return refuse(program, error);
+        tell(glassbox::refusal(program, error));
+        return bad_command_line;
     } catch (const glassbox::Cancelled&) {
-        fmt::print(stderr, "glassbox: interrupted; nothing was written\n");
+        tell(glassbox::Interrupt::message);
         return glassbox::Interrupt::exit_status;
     } catch (const glassbox::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        tell(error.what());
         return work_failed;
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "glassbox: error: out of memory; ask for a smaller picture with --size\n");
+        tell("glassbox: error: out of memory; ask for a smaller picture with --size");
         return work_failed;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "glassbox: error: {}\n", error.what());
+        tell(fmt::format("glassbox: error: {}", error.what()));
         return work_failed;
     }
 }

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/notes.hpp"
 #include "cli/progress.hpp"
+#include "cli/typed.hpp"
 #include "output/output_file.hpp"
 #include "render/render.hpp"
 #include "scene/suggestion.hpp"
@@ -23,7 +27,18 @@ const Measurement* named(const std::string& name) {
     if (const Measurement* found = find_measurement(name)) return found;
     std::vector<std::string_view> known;
     for (const Measurement& each : measurements()) known.push_back(each.name);
-    throw CLI::ValidationError("--what", fmt::format("'{}' is not known; {}", name, suggestion(name, known)));
+    throw wrong("--what", fmt::format("'{}' is not known; {}", name, suggestion(name, known)));
+}
+
+/// What "depth,n.l" asks for.
+std::vector<const Measurement*> read_wanted(const std::string& typed) {
+    std::vector<const Measurement*> wanted;
+    for (const std::string& name : between_commas(typed)) {
+        wanted.push_back(named(name));
+        if (std::count(wanted.begin(), wanted.end(), wanted.back()) > 1)
+            throw wrong("--what", fmt::format("'{}' is there twice; name it once", name));
+    }
+    return wanted;
 }
 
 std::string list() {
@@ -31,12 +46,27 @@ std::string list() {
     for (const Measurement& each : measurements())
         lines += fmt::format("\n  {:<14}{}{}", each.name, each.explanation,
                              each.unit.empty() ? "" : fmt::format(" [{}]", each.unit));
-    return lines;
+    return lines + "\n\nExample: glassbox measure room --what depth,n.l -o room-depth.png";
 }
 
-void run(const MeasureRequest& request, Session& session) {
+bool has_value(const Measured& measured) {
+    const std::vector<double>& values = measured.planes.front().values;
+    return !std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+}
+
+/// "n.h (phong has no half vector)" for each measurement without a value at any pixel.
+std::vector<std::string> without_value(const std::vector<Measured>& all, const Scene& scene, const Options& options) {
+    std::vector<std::string> names;
+    for (const Measured& measured : all)
+        if (!has_value(measured))
+            names.push_back(fmt::format("{} ({})", measured.what->name, why_no_value(*measured.what, scene, options)));
+    return names;
+}
+
+void run(const CLI::App& command, const MeasureRequest& request, Session& session) {
     check_measurements_file(request.out);
     const Scene scene = load(request);
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options.stage));
     std::vector<std::vector<Plane>> planes = [&] {
         Progress progress("measuring", std::int64_t{scene.width} * scene.height);
         return measure(scene, request.options, request.wanted,
@@ -44,6 +74,7 @@ void run(const MeasureRequest& request, Session& session) {
     }();
     std::vector<Measured> measured;
     for (std::size_t i = 0; i < planes.size(); ++i) measured.push_back({request.wanted[i], planes[i]});
+    note(command, "no value at any pixel", without_value(measured, scene, request.options));
     write_measurements(request.out, measured, session.interrupt.token());
 }
 
@@ -55,20 +86,15 @@ void add_measure(CLI::App& program, Session& session) {
         program.add_subcommand("measure", "Write what the formulas computed at each pixel, as heat maps or numbers");
     add_scene_options(*command, *request);
     command
-        ->add_option_function<std::vector<std::string>>(
-            "--what",
-            [request](const std::vector<std::string>& names) {
-                for (const std::string& name : names) request->wanted.push_back(named(name));
-            },
+        ->add_option_function<std::string>(
+            "--what", [request](const std::string& typed) { request->wanted = read_wanted(typed); },
             "what to measure; several separated by commas")
-        ->delimiter(',')
         ->type_name("NAME[,NAME...]")
         ->required();
-    command->add_option("-o", request->out, "a picture with legends, or the numbers")
-        ->type_name("OUT.png|.csv|.exr")
+    add_file(*command, "-o,--out", "OUT.png|.ppm|.csv|.exr", "heat maps with legends, or the numbers", request->out)
         ->required();
     command->footer(list());
-    command->callback([request, &session] { run(*request, session); });
+    command->callback([request, command, &session] { run(*command, *request, session); });
 }
 
 }  // namespace glassbox

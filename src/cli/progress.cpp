@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -29,6 +30,12 @@ std::string bar(double fraction) {
     return std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(width - full), '.');
 }
 
+/// A stderr that is full or closed is no reason to stop.
+void put(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
+}
+
 }  // namespace
 
 Progress::Progress(std::string what, std::int64_t total)
@@ -36,7 +43,8 @@ Progress::Progress(std::string what, std::int64_t total)
 
 void Progress::show(const std::stop_token& stop) const {
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
-    const auto pause = terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(2000);
+    constexpr auto longest_pause = std::chrono::milliseconds(64000);
+    auto pause = terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(2000);
     const Clock::time_point start = Clock::now();
     std::mutex mutex;
     std::condition_variable_any wake;
@@ -48,13 +56,13 @@ void Progress::show(const std::stop_token& stop) const {
         const double elapsed = Seconds(Clock::now() - start).count();
         const std::string left =
             fraction > 0 ? duration(elapsed / fraction * (1 - fraction)) + " left" : std::string("starting");
-        if (terminal) fmt::print(stderr, "\r\x1b[K{} [{}] {:3.0f} %, {}", what_, bar(fraction), 100 * fraction, left);
-        else fmt::print(stderr, "{}: {:.0f} % done, {}\n", what_, 100 * fraction, left);
-        std::fflush(stderr);
+        if (terminal) put(fmt::format("\r\x1b[K{} [{}] {:3.0f} %, {}", what_, bar(fraction), 100 * fraction, left));
+        else put(fmt::format("{}: {:.0f} % done, {}\n", what_, 100 * fraction, left));
         shown = true;
         wake.wait_for(lock, stop, pause, [] { return false; });
+        if (!terminal) pause = std::min(2 * pause, longest_pause);
     }
-    if (shown && terminal) fmt::print(stderr, "\r\x1b[K");
+    if (shown && terminal) put("\r\x1b[K");
 }
 
 }  // namespace glassbox

@@ -7,7 +7,9 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/notes.hpp"
 #include "cli/progress.hpp"
+#include "cli/scene_path.hpp"
 #include "output/output_file.hpp"
 
 namespace glassbox {
@@ -20,11 +22,11 @@ struct RenderRequest : Request {
     std::string out;
 };
 
-void run(const RenderRequest& request, Session& session) {
-    const fs::path out(request.out.empty() ? fs::path(request.scene).stem().replace_extension(".png")
-                                           : fs::path(request.out));
+void run(const CLI::App& command, const RenderRequest& request, Session& session) {
+    const fs::path out = request.out.empty() ? scene_path(request.scene).stem() += ".png" : fs::path(request.out);
     check_picture_file(out);
     const Scene scene = load(request);
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options.stage));
     const Image image = [&] {
         Progress progress("rendering", std::int64_t{scene.width} * scene.height);
         return render(scene, request.options, {request.threads, session.interrupt.token(), &progress.done()});
@@ -39,9 +41,10 @@ void add_render(CLI::App& program, Session& session) {
     const auto request = std::make_shared<RenderRequest>();
     CLI::App* command = program.add_subcommand("render", "Draw a scene's picture into a file");
     add_scene_options(*command, *request);
-    command->add_option("-o", request->out, "the picture to write (default: the scene's name and .png)")
-        ->type_name("OUT.png|.ppm");
-    command->callback([request, &session] { run(*request, session); });
+    add_file(*command, "-o,--out", "OUT.png|.ppm", "the picture to write (default: the scene's name and .png, here)",
+             request->out);
+    command->footer("Example: glassbox render room --size 800x600 --turn z:10 -o room.png");
+    command->callback([request, command, &session] { run(*command, *request, session); });
 }
 
 }  // namespace glassbox

@@ -1,6 +1,12 @@
 #include "cli/scene_path.hpp"
 
-#include <optional>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "cli/did_you_mean.hpp"
+#include "scene/error.hpp"
 
 namespace glassbox {
 
@@ -17,6 +23,38 @@ fs::path program() {
 #endif
 }
 
+/// The scene that comes with Glassbox of that name, with or without folder and ending; empty if there is none.
+fs::path shipped_scene(const fs::path& name) {
+    const fs::path folder = shipped_scenes();
+    const bool may_be = !name.has_parent_path() || name.parent_path() == fs::path("scenes");
+    if (folder.empty() || !may_be || !name.has_filename()) return {};
+    std::error_code none;
+    for (const char* ending : {"", ".toml"}) {
+        fs::path shipped = folder / name.filename();
+        shipped += ending;
+        if (fs::is_regular_file(shipped, none)) return shipped;
+    }
+    return {};
+}
+
+/// "fan", "room": the scenes that come with Glassbox.
+std::vector<std::string> shipped_names() {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(shipped_scenes(), none))
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Error no_such_scene(const std::string& typed) {
+    const std::vector<std::string> names = shipped_names();
+    const std::string near = did_you_mean(fs::path(typed).stem().string(), names);
+    const std::string with_glassbox = fmt::format("with Glassbox come '{}'", fmt::join(names, "', '"));
+    return error_at({typed.empty() ? "\"\"" : typed},
+                    "there is no such file" + (names.empty() ? "" : "; " + (near.empty() ? with_glassbox : near)));
+}
+
 }  // namespace
 
 fs::path shipped_scenes() {
@@ -30,15 +68,11 @@ fs::path shipped_scenes() {
 
 fs::path scene_path(const std::string& typed) {
     std::error_code none;
-    const fs::path as_typed(typed);
-    if (typed.empty() || fs::exists(as_typed, none)) return as_typed;
-    const bool names_a_shipped_one = !as_typed.has_parent_path() || as_typed.parent_path() == fs::path("scenes");
-    const fs::path folder = shipped_scenes();
-    if (!names_a_shipped_one || folder.empty()) return as_typed;
-    fs::path shipped = folder / as_typed.filename();
-    if (fs::exists(shipped, none)) return shipped;
-    shipped += ".toml";
-    return fs::exists(shipped, none) ? shipped : as_typed;
+    fs::path as_typed(typed);
+    if (fs::exists(as_typed, none) && !fs::is_directory(as_typed, none)) return as_typed;
+    if (const fs::path shipped = shipped_scene(as_typed); !shipped.empty()) return shipped;
+    if (fs::is_directory(as_typed, none)) return as_typed;
+    throw no_such_scene(typed);
 }
 
 }  // namespace glassbox

@@ -5,7 +5,7 @@
 namespace glassbox {
 
 /// The file that SCENE means: the path as typed, or else one of the scenes that come with Glassbox ("levental-2014",
-/// "levental-2014.toml", "scenes/levental-2014.toml"). A name that is neither is returned as typed.
+/// "levental-2014.toml", "scenes/levental-2014.toml"). Throws Error, with what is near, for a name that is neither.
 std::filesystem::path scene_path(const std::string& typed);
 
 /// The folder of the scenes that come with Glassbox: beside the installed program, or in the source tree it was built

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -19,22 +21,33 @@ namespace {
 constexpr std::string_view header = "ox,oy,oz,dx,dy,dz";
 
 std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
+    const auto first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// One number, decimal or hexadecimal ("0x1.8p3", which std::from_chars would not take).
+/// A line without the carriage return that Windows ends it with.
+std::string_view without_return(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+/// One number: decimal, the fast way; or else as strtod reads it, hexadecimal ("0x1.8p3"), say.
 double read_number(std::string_view field, const Place& place) {
-    const std::string text(trimmed(field));
+    const std::string_view digits = trimmed(field);
+    double value = 0;
+    const auto [rest, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem == std::errc{} && rest == digits.data() + digits.size()) return value;
+
+    const std::string text(digits);
     char* end = nullptr;
     errno = 0;
-    const double value = std::strtod(text.c_str(), &end);
+    value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0')
-        throw error_at(place,
-                       fmt::format("'{}' is not a number; write one such as 0.5, 1e-3, 0x1.8p3, nan or inf", text));
+        throw error_at(place, fmt::format("{} is not a number; write one such as 0.5, 1e-3, 0x1.8p3, nan or inf",
+                                          in_quotes(text)));
     if (errno == ERANGE && std::isinf(value))
-        throw error_at(place, fmt::format("{} is too large for a double; write inf if that is meant", text));
+        throw error_at(place, fmt::format("{} is too large for a double; write inf if that is meant", in_quotes(text)));
     return value;
 }
 
@@ -43,29 +56,43 @@ Ray<double> read_ray(std::string_view line, Place place) {
     std::size_t count = 0;
     for (std::size_t begin = 0; begin <= line.size(); ++count) {
         const std::size_t end = std::min(line.find(',', begin), line.size());
-        place.column = begin + 1;
+        if (count <= numbers.size()) place.column = begin + 1;  // of the first that is too many, if there are such
         if (count < numbers.size()) numbers[count] = read_number(line.substr(begin, end - begin), place);
         begin = end + 1;
     }
-    place.column = 1;
     if (count != numbers.size())
         throw error_at(place, fmt::format("{} numbers in this row; a ray has 6: {}", count, header));
     const auto& [ox, oy, oz, dx, dy, dz] = numbers;
     return {{ox, oy, oz}, {dx, dy, dz}};
 }
 
+/// Whether these are the header's names; spaces around them do not count, as around numbers.
+bool is_header(std::string_view line) {
+    std::string names(line);
+    names.erase(std::remove(names.begin(), names.end(), ' '), names.end());
+    return names == header;
+}
+
+/// Some spreadsheets open a file in UTF-8 with it.
+void skip_byte_order_mark(std::string_view& text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+}
+
 }  // namespace
 
 std::vector<Ray<double>> read_rays(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
+    const std::string content = read_text(file);
+    std::string_view text = content;
+    skip_byte_order_mark(text);
     std::vector<Ray<double>> rays;
     Place place{file.string(), 1, 1};
     for (std::size_t begin = 0; begin < text.size() || place.line == 1; ++place.line) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
+        const std::string_view line = without_return(text.substr(begin, end - begin));
         if (place.line == 1) {
-            if (line != header) throw error_at(place, fmt::format("the first line must be the header {}", header));
-        } else if (!line.empty()) {
+            if (!is_header(line)) throw error_at(place, fmt::format("the first line must be the header {}", header));
+        } else if (!trimmed(line).empty()) {
             rays.push_back(read_ray(line, place));
         }
         begin = end + 1;

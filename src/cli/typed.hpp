@@ -1,0 +1,57 @@
+#pragma once
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "render/options.hpp"
+#include "scene/suggestion.hpp"
+
+namespace glassbox {
+
+// What the words after an option mean. Each throws `wrong` for a word that means nothing, and says what would be right.
+
+/// "--size: 'x' must be …", for the command line's error message.
+CLI::ValidationError wrong(std::string_view option, const std::string& message);
+
+/// A whole number from `least` to `most`.
+int whole_number(std::string_view option, const std::string& typed, int least, int most);
+
+/// A finite number, 0 or more.
+double factor(std::string_view option, const std::string& typed);
+
+/// Width and height: "800x600".
+std::pair<int, int> size(std::string_view option, const std::string& typed);
+
+/// "z:10,y:-20", in this order.
+std::vector<Turn<double>> turns(std::string_view option, const std::string& typed);
+
+/// "pluecker", "tolerance", "tolerance:0.5" or "moeller-trumbore".
+TriangleRule triangle_rule(std::string_view option, const std::string& typed);
+
+/// The words between commas, empty ones too.
+std::vector<std::string> between_commas(const std::string& typed);
+
+/// One of the names that an option knows, and what it stands for.
+template <class Value>
+struct Choice {
+    std::string_view name;
+    Value value;
+};
+
+/// The value of the choice that was typed.
+template <class Value, std::size_t count>
+Value chosen(std::string_view option, const std::string& typed, const std::array<Choice<Value>, count>& choices) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : choices) {
+        if (typed == name) return value;
+        names.push_back(name);
+    }
+    throw wrong(option, fmt::format("'{}' is not known; {}", typed, suggestion(typed, names)));
+}
+
+}  // namespace glassbox
