@@ -11,7 +11,7 @@ template <class Real>
 struct Vec3 {
     Real x{}, y{}, z{};
 
-    friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+    friend constexpr bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 };
 
 template <class Real>
