@@ -57,7 +57,7 @@ void Interrupt::wait_for_signal(const sigset_t& awaited) {
     if (signal == SIGUSR1) return;
     source_.request_stop();
     std::unique_lock lock(mutex_);
-    if (over_.wait_for(lock, std::chrono::milliseconds(50), [this] { return work_is_over_; })) return;
+    if (over_.wait_for(lock, std::chrono::milliseconds(20), [this] { return work_is_over_; })) return;
     end();
 }
 

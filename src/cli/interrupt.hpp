@@ -9,7 +9,7 @@
 namespace glassbox {
 
 /// While it lives, Ctrl-C (or SIGTERM, or SIGHUP from a terminal that goes) asks the work to stop instead of killing
-/// the program. Work that cannot stop within 50 ms is ended, with the exit status of an interrupted program;
+/// the program. Work that cannot stop within 20 ms is ended, with the exit status of an interrupted program;
 /// half-written files are gone by then, because their writer answers the request at once. A signal that the program was
 /// started to ignore, as nohup does, stays ignored. Make it before any other thread: they inherit which signals are its
 /// own.
