@@ -50,8 +50,8 @@ struct Bounded {
         const double least = (std::abs(b.value) - b.error) * (1 - 0x1p-50);
         if (!(least > 0)) return {v, std::numeric_limits<double>::infinity()};
         // |a/b − v'| ≤ (a.error + |v'| b.error) / least, v' the quotient before rounding, |v'| ≤ |v|(1 + 2u) +
-        // underflow
-        return {v, up((a.error + up(std::abs(v) + underflow) * b.error) / least + u * std::abs(v)) + underflow};
+        // underflow. Errors are divided first: a small b.error times a small v' would be lost to underflow.
+        return {v, up(a.error / least + up(std::abs(v) + underflow) * (b.error / least) + u * std::abs(v)) + underflow};
     }
 
     /// For the part of the interval that has a root; below it the true number cannot lie, or the root was not asked
