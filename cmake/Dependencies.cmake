@@ -30,6 +30,7 @@ function(glassbox_header_library name header debian)
 endfunction()
 
 find_package(Threads REQUIRED)
+glassbox_package(Boost libboost-dev)
 glassbox_package(fmt libfmt-dev)
 glassbox_package(TBB libtbb-dev)
 glassbox_package(tomlplusplus libtomlplusplus-dev)

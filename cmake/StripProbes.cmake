@@ -4,7 +4,7 @@
 # As a script, copies one header and leaves out every statement `probe(told::…);`:
 #   cmake -D IN=… -D OUT=… -P StripProbes.cmake
 # Included, it makes the target core_without_probes, whose include directories are such copies of all five stages and of
-# what render/tracer.hpp needs, and behind these the source itself. They lie in a namespace of their own, so that one program can hold both.
+# what render/search.hpp needs, and behind these the source itself. They lie in a namespace of their own, so that one program can hold both.
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(READ ${IN} text)
   string(REGEX REPLACE "\n *probe\\(told::[^;]*\\);" "" text "${text}")
@@ -25,7 +25,7 @@ set(stages ${headers})
 list(TRANSFORM stages REPLACE "/[^/]*$" "")
 list(REMOVE_DUPLICATES stages)
 list(TRANSFORM stages PREPEND ${stripped}/)
-list(APPEND headers render/options.hpp render/surfaces.hpp render/tracer.hpp scene/scene.hpp)
+list(APPEND headers render/search.hpp render/surfaces.hpp scene/scene.hpp)
 set(copies ${headers})
 list(TRANSFORM copies PREPEND ${stripped}/)
 foreach(header copy IN ZIP_LISTS headers copies)

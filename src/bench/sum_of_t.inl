@@ -1,22 +1,22 @@
-// The body of both functions of bare_numbers.hpp: included by one file that is compiled against the headers as they are,
-// and by one that is compiled against headers without probes.
+// The body of both functions of bare_numbers.hpp: included by one file that is compiled against the headers as they
+// are, and by one that is compiled against headers without probes.
 #include <probe.hpp>
 
-#include "render/tracer.hpp"
+#include "render/search.hpp"
 
 namespace glassbox {
 namespace {
 
 double sum_of_t(std::span<const double> spheres, std::span<const double> triangles, std::span<const double> rays) {
     const auto vec = [](std::span<const double> n) { return Vec3<double>{n[0], n[1], n[2]}; };
-    Tracer<double, Stable, Pluecker> tracer{};
-    for (auto s = spheres; !s.empty(); s = s.subspan(4)) tracer.surfaces.spheres.push_back({vec(s), s[3]});
+    PlainSearch<double, Stable, Pluecker> search{};
+    for (auto s = spheres; !s.empty(); s = s.subspan(4)) search.surfaces.spheres.push_back({vec(s), s[3]});
     for (auto t = triangles; !t.empty(); t = t.subspan(9))
-        tracer.surfaces.triangles.push_back({vec(t), vec(t.subspan(3)), vec(t.subspan(6))});
+        search.surfaces.triangles.push_back({vec(t), vec(t.subspan(3)), vec(t.subspan(6))});
     double sum = 0;
     const Silent probe;
     for (auto r = rays; !r.empty(); r = r.subspan(6))
-        if (const auto hit = tracer.trace(Ray<double>{vec(r), vec(r.subspan(3))}, probe)) sum += hit->t;
+        if (const auto hit = search.trace(Ray<double>{vec(r), vec(r.subspan(3))}, probe)) sum += hit->t;
     return sum;
 }
 

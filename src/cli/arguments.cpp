@@ -11,7 +11,8 @@ namespace glassbox {
 
 namespace {
 
-constexpr std::array scalars{Choice<Scalar>{"float", Scalar::float_}, Choice<Scalar>{"double", Scalar::double_},
+constexpr std::array scalars{Choice<Scalar>{"certified", Scalar::certified}, Choice<Scalar>{"exact", Scalar::exact},
+                             Choice<Scalar>{"float", Scalar::float_}, Choice<Scalar>{"double", Scalar::double_},
                              Choice<Scalar>{"long-double", Scalar::long_double}};
 constexpr std::array models{Choice<ShadingModel>{"phong", ShadingModel::phong},
                             Choice<ShadingModel>{"blinn-phong", ShadingModel::blinn_phong},

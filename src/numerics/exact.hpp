@@ -35,9 +35,10 @@ public:
         const Dyadic& d = root_of(a, b);
         return {a.p_ * b.p_ + a.q_ * b.q_ * d, a.p_ * b.q_ + a.q_ * b.p_, d, a.r_ * b.r_};
     }
-    /// b must not be 0. (p + q√d)(p − q√d) = p² − q²d clears the root from the denominator.
+    /// b must not be 0. (p + q√d)(p − q√d) = p² − q²d clears the root from the denominator; where that is 0, q√d = p.
     friend Exact operator/(const Exact& a, const Exact& b) {
         const Dyadic norm = b.p_ * b.p_ - b.q_ * b.q_ * b.d_;
+        if (norm.sign() == 0) return a / Exact(b.p_ + b.p_, {}, {}, b.r_);
         const Dyadic positive = norm.sign() < 0 ? -norm : norm;
         const Exact quotient = a * Exact(b.p_ * b.r_, -(b.q_ * b.r_), b.d_, positive);
         return norm.sign() < 0 ? -quotient : quotient;
@@ -82,8 +83,9 @@ public:
         if (!std::isfinite(nearest)) return {nearest, std::numeric_limits<double>::infinity()};
         const auto distance = static_cast<double>(abs(exact - nearest));
         const auto slack = static_cast<double>(ldexp(abs(exact), -300));
-        if (distance == 0 && slack == 0) return {nearest, sign() == 0 ? 0 : Bounded::underflow};
-        return {nearest, Bounded::up(distance + slack)};
+        const double error = Bounded::up(distance + slack);
+        if (error > 0x1p-960 || sign() == 0) return {nearest, error};
+        return {nearest, error + Bounded::underflow};  // the distance itself may have lost bits to underflow
     }
 
 private:

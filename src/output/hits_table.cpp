@@ -15,19 +15,22 @@ std::string shortest(long double t, Scalar scalar) {
     switch (scalar) {
         case Scalar::float_:
             return fmt::format("{}", static_cast<float>(t));
-        case Scalar::double_:
-            return fmt::format("{}", static_cast<double>(t));
-        default:
+        case Scalar::long_double:
             return fmt::format("{}", t);
+        default:
+            return fmt::format("{}", static_cast<double>(t));
     }
 }
 
 std::string row(std::size_t ray, const Shot& shot, Scalar scalar) {
+    const bool proven = is_proven(scalar);
+    const char* const decided = !proven ? "" : shot.by_filter ? "filter" : "exact";
     switch (shot.verdict) {
         case Shot::Verdict::hit:
-            return fmt::format("{},hit,{},{},,,{}\n", ray, shot.surface, shortest(shot.t, scalar), shot.hits);
+            return fmt::format("{},hit,{},{},{},{},{}\n", ray, shot.surface, shortest(shot.t, scalar),
+                               proven ? fmt::format("{}", shot.t_error) : "", decided, shot.hits);
         case Shot::Verdict::miss:
-            return fmt::format("{},miss,,,,,0\n", ray);
+            return fmt::format("{},miss,,,,{},0\n", ray, decided);
         default:
             return fmt::format("{},invalid,,,,,0\n", ray);
     }

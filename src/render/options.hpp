@@ -9,7 +9,10 @@
 namespace glassbox {
 
 /// The scalar that the formulas run in.
-enum class Scalar { float_, double_, long_double };
+enum class Scalar { certified, float_, double_, long_double, exact };
+
+/// Whether it answers with a proof: the verdict is the mathematics' own, and t comes with a bound on its error.
+constexpr bool is_proven(Scalar scalar) { return scalar == Scalar::certified || scalar == Scalar::exact; }
 
 using SphereRule = std::variant<Stable, Textbook>;
 using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;

@@ -84,9 +84,7 @@ struct PixelNumbers {
 
     template <class Real>
     void operator()(told::Corners, const Triangle<Real>& seen, const Vec3<Real>& D) {
-        const Triangle<Magnitude> sizes{convert<Magnitude>(seen.A), convert<Magnitude>(seen.B),
-                                        convert<Magnitude>(seen.C)};
-        side_sizes = glassbox::sides(convert<Magnitude>(D), sizes);
+        side_sizes = glassbox::sides(convert<Magnitude>(D), convert<Magnitude>(seen));
     }
 
     template <class Real>

@@ -20,9 +20,10 @@ void paint_border(Image& image, Rgb color) {
 template <class Probe, class Keep>
 void trace_pixels(const Scene& scene, const Options& options, const Job& job, const Keep& keep) {
     const View seen = view(scene, options.stage >= 5 ? std::span(options.turns) : std::span<const Turn<double>>{});
-    with_tracer(scene, options, [&]<class Real, class... Rules>(const Tracer<Real, Rules...>& tracer) {
+    const Reach all = reach(seen, scene.width, scene.height);
+    with_tracer(scene, options, all, [&]<class Search>(const Tracer<Search>& tracer) {
         for_each_pixel(scene.width, scene.height, job, [&](int x, int y) {
-            const Ray<Real> ray = convert<Real>(pixel_ray(seen, x, y, scene.height));
+            const auto ray = convert<typename Search::Number>(pixel_ray(seen, x, y, scene.height));
             Probe probe;
             const Rgb color = tracer.color(ray, x, scene.height - 1 - y, probe);
             keep(x, y, color, probe);

@@ -7,29 +7,55 @@ namespace glassbox {
 
 namespace {
 
+/// Counts the surfaces that a ray meets, and those that needed exact arithmetic.
 struct CountHits {
     std::size_t hits = 0;
+    std::size_t undecided = 0;
 
     template <class What, class... Values>
-    void operator()(What, const Values&...) {}
-
-    template <class Real>
-    void operator()(told::Met, std::size_t, const Real&) {
-        ++hits;
+    void operator()(What, const Values&...) {
+        if constexpr (std::is_same_v<What, told::Met>) ++hits;
+        if constexpr (std::is_same_v<What, told::Undecided>) ++undecided;
     }
 };
+
+template <class Real, class... Rules>
+Shot shot(const PlainSearch<Real, Rules...>& search, const Ray<double>& ray) {
+    CountHits count;
+    const auto hit = search.trace(convert<Real>(ray), count);
+    if (!hit) return {.verdict = Shot::Verdict::miss};
+    return {.verdict = Shot::Verdict::hit, .surface = hit->surface, .t = hit->t, .hits = count.hits};
+}
+
+template <class... Rules>
+Shot shot(const CertifiedSearch<Rules...>& search, const Ray<double>& ray) {
+    CountHits count;
+    const auto hit = search.trace_proven(ray, count);
+    const bool by_filter = count.undecided == 0;
+    if (!hit) return {.verdict = Shot::Verdict::miss, .by_filter = by_filter};
+    const Bounded t = search.sharpened(ray, *hit);
+    return {.verdict = Shot::Verdict::hit,
+            .surface = hit->surface,
+            .t = t.value,
+            .hits = count.hits,
+            .t_error = t.error,
+            .by_filter = by_filter};
+}
+
+Reach reach(std::span<const Ray<double>> rays) {
+    Reach all;
+    for (const Ray<double>& ray : rays)
+        if (is_valid(ray)) all = reaching(all, ray);
+    return all;
+}
 
 }  // namespace
 
 std::vector<Shot> shoot(const Scene& scene, const Options& options, std::span<const Ray<double>> rays, const Job& job) {
     std::vector<Shot> shots(rays.size());
-    with_tracer(scene, options, [&]<class Real, class... Rules>(const Tracer<Real, Rules...>& tracer) {
+    with_search(scene, options, reach(rays), [&](const auto& search) {
         for_each_index(rays.size(), job, [&](std::size_t i) {
-            const Ray<Real> ray = convert<Real>(rays[i]);
-            if (!is_valid(rays[i])) return;
-            CountHits count;
-            const auto hit = tracer.trace(ray, count);
-            shots[i] = hit ? Shot{Shot::Verdict::hit, hit->surface, hit->t, count.hits} : Shot{Shot::Verdict::miss};
+            if (is_valid(rays[i])) shots[i] = shot(search, rays[i]);
         });
     });
     return shots;

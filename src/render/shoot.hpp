@@ -15,8 +15,10 @@ namespace glassbox {
 struct Shot {
     enum class Verdict { hit, miss, invalid } verdict = Verdict::invalid;
     std::size_t surface = 0;
-    long double t = 0;     ///< in units of |D|, in the scalar that it was computed in
-    std::size_t hits = 0;  ///< how many surfaces the ray meets at t > 0
+    long double t = 0;       ///< in units of |D|, in the scalar that it was computed in
+    std::size_t hits = 0;    ///< how many surfaces the ray meets at t > 0
+    double t_error = 0;      ///< |t − the true t| is at most this; only the scalars certified and exact know it
+    bool by_filter = false;  ///< every verdict was decided by error bounds, none needed exact arithmetic
 };
 
 /// Traces each ray. One that is not finite, or has D = 0, is invalid. Throws Cancelled.

@@ -17,16 +17,23 @@ struct Surfaces {
     std::vector<Triangle<Real>> triangles;
 };
 
+/// Calls `use` with the sphere or the triangle of that number.
+template <class Real, class Use>
+auto with_surface(const Surfaces<Real>& surfaces, std::size_t number, const Use& use) {
+    const std::size_t spheres = surfaces.spheres.size();
+    return number < spheres ? use(surfaces.spheres[number]) : use(surfaces.triangles[number - spheres]);
+}
+
 /// The surfaces that a stage knows: none in the first, spheres from the second, triangles and meshes from the third.
 template <class Real>
 Surfaces<Real> surfaces(const Scene& scene, int stage) {
     Surfaces<Real> result;
     if (stage >= 2)
         for (const ColoredSphere& sphere : scene.spheres)
-            result.spheres.push_back({convert<Real>(sphere.center), static_cast<Real>(sphere.radius)});
+            result.spheres.push_back(convert<Real>(Sphere<double>{sphere.center, sphere.radius}));
     if (stage >= 3) {
         const auto add = [&](const Vec3<double>& A, const Vec3<double>& B, const Vec3<double>& C) {
-            result.triangles.push_back({convert<Real>(A), convert<Real>(B), convert<Real>(C)});
+            result.triangles.push_back(convert<Real>(Triangle<double>{A, B, C}));
         };
         for (const auto& [vertices, color] : scene.triangles) add(vertices[0], vertices[1], vertices[2]);
         for (const Mesh& mesh : scene.meshes)

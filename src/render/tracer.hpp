@@ -6,8 +6,9 @@
 #include <ray_color.hpp>
 #include <shading.hpp>
 
+#include "render/certified_search.hpp"
 #include "render/options.hpp"
-#include "render/surfaces.hpp"
+#include "render/search.hpp"
 
 namespace glassbox {
 
@@ -16,56 +17,30 @@ struct Nearest {};        ///< (surface, t): what the ray meets first
 struct SurfaceNormal {};  ///< the unit normal there
 }  // namespace told
 
-/// Follows rays through a scene: the core's formulas put together, for one scalar and one rule for each kind of
-/// surface.
-template <class Real, class SphereRoots, class TriangleTest>
+/// Colours pixels: a search for what a ray meets, and how that looks.
+template <class Search>
 struct Tracer {
-    Surfaces<Real> surfaces;
-    SphereRoots sphere_roots;
-    TriangleTest triangle_test;
+    using Real = typename Search::Number;
+
+    Search search;
     std::vector<Rgb> colors;
     Rgb background;
     Light<Real> light;
     Shading<Real> shading;
     int stage;
 
-    /// What the ray meets first, of all surfaces, one after the other.
-    template <class Probe>
-    std::optional<Hit<Real>> trace(const Ray<Real>& ray, Probe& probe) const {
-        std::optional<Hit<Real>> best;
-        std::size_t surface = 0;
-        const auto consider = [&](const Crossing<Real>& crossing) {
-            if (crossing.met) {
-                probe(told::Met{}, surface, crossing.t);
-                best = nearest(best, surface, crossing);
-            }
-            ++surface;
-        };
-        for (const Sphere<Real>& sphere : surfaces.spheres) consider(intersect(ray, sphere, sphere_roots, probe));
-        for (const Triangle<Real>& triangle : surfaces.triangles)
-            consider(intersect(ray, triangle, triangle_test, probe));
-        return best;
-    }
-
     /// The colour of the pixel in column j and row i, whose ray this is, as far as the stage goes.
     template <class Probe>
     Rgb color(const Ray<Real>& ray, int j, int i, Probe& probe) const {
         if (stage == 1) return rounded(ray_color(ray, j, i));
-        const std::optional<Hit<Real>> hit = trace(ray, probe);
+        const std::optional<Hit<Real>> hit = search.trace(ray, probe);
         if (!hit) return background;
         probe(told::Nearest{}, hit->surface, hit->t);
-        const Vec3<Real> n = normal_at(*hit, ray);
+        const Vec3<Real> n = search.normal_at(ray, *hit);
         probe(told::SurfaceNormal{}, n);
         const Rgb own = colors[hit->surface];
         if (stage < 4) return own;
         return to_rgb(shade(n, unit(-ray.D), to_vec3<Real>(own), light, shading, probe), shading.model);
-    }
-
-private:
-    Vec3<Real> normal_at(const Hit<Real>& hit, const Ray<Real>& ray) const {
-        const std::size_t spheres = surfaces.spheres.size();
-        if (hit.surface < spheres) return normal(surfaces.spheres[hit.surface], at(ray, hit.t));
-        return normal(surfaces.triangles[hit.surface - spheres]);
     }
 };
 
@@ -80,30 +55,41 @@ Shading<To> convert(const Shading<From>& s) {
             convert<To>(s.specular_color)};
 }
 
+/// Calls `use(search)` with the search for a scene's surfaces that the options name. `reach` covers all rays to come.
+template <class Use>
+auto with_search(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
+    return std::visit(
+        [&]<class Roots, class Test>(const Roots& roots, const Test& test) {
+            const auto plain = [&]<class Real>(std::type_identity<Real>) {
+                return use(PlainSearch<Real, Roots, Test>{surfaces<Real>(scene, options.stage), roots, test});
+            };
+            switch (options.scalar) {
+                case Scalar::float_:
+                    return plain(std::type_identity<float>{});
+                case Scalar::double_:
+                    return plain(std::type_identity<double>{});
+                case Scalar::long_double:
+                    return plain(std::type_identity<long double>{});
+                case Scalar::certified:
+                case Scalar::exact:
+                    break;
+            }
+            return use(CertifiedSearch<Roots, Test>(surfaces<double>(scene, options.stage), roots, test, reach,
+                                                    options.scalar == Scalar::exact));
+        },
+        options.sphere_rule, options.triangle_rule);
+}
+
 /// Calls `use(tracer)` with the tracer that the options name.
 template <class Use>
-auto with_tracer(const Scene& scene, const Options& options, const Use& use) {
-    const auto in_scalar = [&]<class Real>(std::type_identity<Real>) {
-        return std::visit(
-            [&](const auto& roots, const auto& test) {
-                using RootsRule = std::decay_t<decltype(roots)>;
-                using Test = std::decay_t<decltype(test)>;
-                const Light<Real> light =
-                    directional_light(convert<Real>(scene.light_position), static_cast<Real>(scene.light_intensity));
-                return use(Tracer<Real, RootsRule, Test>{surfaces<Real>(scene, options.stage), roots, test,
-                                                         surface_colors(scene), scene.background, light,
-                                                         convert<Real>(scene.shading), options.stage});
-            },
-            options.sphere_rule, options.triangle_rule);
-    };
-    switch (options.scalar) {
-        case Scalar::float_:
-            return in_scalar(std::type_identity<float>{});
-        case Scalar::double_:
-            return in_scalar(std::type_identity<double>{});
-        default:
-            return in_scalar(std::type_identity<long double>{});
-    }
+auto with_tracer(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
+    return with_search(scene, options, reach, [&]<class Search>(Search&& search) {
+        using Real = typename Search::Number;
+        const Light<Real> light =
+            directional_light(convert<Real>(scene.light_position), static_cast<Real>(scene.light_intensity));
+        return use(Tracer<Search>{std::move(search), surface_colors(scene), scene.background, light,
+                                  convert<Real>(scene.shading), options.stage});
+    });
 }
 
 }  // namespace glassbox

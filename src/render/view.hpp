@@ -5,6 +5,7 @@
 #include <turn.hpp>
 #include <viewing_plane.hpp>
 
+#include "numerics/filter.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -18,6 +19,15 @@ View view(const Scene& scene, std::span<const Turn<double>> turns);
 /// The ray of the pixel (x, y) of a picture `height` pixels high; y counts down from the top.
 inline Ray<double> pixel_ray(const View& view, int x, int y, int height) {
     return std::visit([&](const auto& v) { return pixel_ray(v, x, height - 1 - y); }, view);
+}
+
+/// The largest starts and directions of all the rays of a picture. Each coordinate of a pixel's ray only rises, or only
+/// falls, from column to column and row to row, rounding included: its extremes are in the corners.
+inline Reach reach(const View& view, int width, int height) {
+    Reach all;
+    for (const int x : {0, width - 1})
+        for (const int y : {0, height - 1}) all = reaching(all, pixel_ray(view, x, y, height));
+    return all;
 }
 
 /// The same scene as a picture of another size. What is seen from bottom to top stays, pixels keep their shape, and

@@ -19,6 +19,12 @@ struct Sphere {
     Real r;
 };
 
+/// The same sphere in another scalar.
+template <class To, class From>
+constexpr Sphere<To> convert(const Sphere<From>& sphere) {
+    return {convert<To>(sphere.c), static_cast<To>(sphere.r)};
+}
+
 /// Where a line enters and leaves a sphere: t₀ ≤ t₁, if it touches it at all.
 template <class Real>
 struct Roots {

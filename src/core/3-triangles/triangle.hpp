@@ -19,6 +19,12 @@ struct Triangle {
     Vec3<Real> A, B, C;
 };
 
+/// The same triangle in another scalar.
+template <class To, class From>
+constexpr Triangle<To> convert(const Triangle<From>& triangle) {
+    return {convert<To>(triangle.A), convert<To>(triangle.B), convert<To>(triangle.C)};
+}
+
 /// The unit normal (B − A) × (C − A) / |…|; not a number for a triangle without area.
 template <class Real>
 Vec3<Real> normal(const Triangle<Real>& triangle) {
