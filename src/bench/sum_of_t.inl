@@ -7,6 +7,13 @@
 namespace glassbox {
 namespace {
 
+/// A function of its own, so that what surrounds it does not change how it is compiled.
+[[gnu::noinline]] double t_of_nearest(const PlainSearch<double, Stable, Pluecker>& search, const Ray<double>& ray) {
+    const Silent probe;
+    const auto hit = search.trace(ray, probe);
+    return hit ? hit->t : 0;
+}
+
 double sum_of_t(std::span<const double> spheres, std::span<const double> triangles, std::span<const double> rays) {
     const auto vec = [](std::span<const double> n) { return Vec3<double>{n[0], n[1], n[2]}; };
     PlainSearch<double, Stable, Pluecker> search{};
@@ -14,9 +21,7 @@ double sum_of_t(std::span<const double> spheres, std::span<const double> triangl
     for (auto t = triangles; !t.empty(); t = t.subspan(9))
         search.surfaces.triangles.push_back({vec(t), vec(t.subspan(3)), vec(t.subspan(6))});
     double sum = 0;
-    const Silent probe;
-    for (auto r = rays; !r.empty(); r = r.subspan(6))
-        if (const auto hit = search.trace(Ray<double>{vec(r), vec(r.subspan(3))}, probe)) sum += hit->t;
+    for (auto r = rays; !r.empty(); r = r.subspan(6)) sum += t_of_nearest(search, {vec(r), vec(r.subspan(3))});
     return sum;
 }
 

@@ -60,8 +60,10 @@ struct Numbers {
     BareNumbers bare() const { return {spheres, triangles, rays}; }
 };
 
-Work rendering(const Scene& scene, const std::string& name, const Job& job) {
-    return {name, 1.0 * scene.width * scene.height, [&scene, job] { render(scene, {}, job); }};
+Work rendering(const Scene& scene, Scalar scalar, const std::string& name, const Job& job) {
+    Options options;
+    options.scalar = scalar;
+    return {name, 1.0 * scene.width * scene.height, [&scene, options, job] { render(scene, options, job); }};
 }
 
 void bench_probes(const Scene& scene, int runs) {
@@ -84,15 +86,19 @@ void bench_scene(const std::string& name, int runs, const std::stop_token& stop)
     const std::size_t count = all.spheres.size() + all.triangles.size();
     fmt::print("\n{}: {} x {} pixels, {} surfaces\n", name, scene.width, scene.height, count);
     const bool papers = name == "levental-2014";
-    std::vector<Work> works{rendering(scene, "picture, 1 thread", {1, stop, nullptr}),
-                            rendering(scene, "picture, all threads", {0, stop, nullptr})};
+    std::vector<Work> works{
+        rendering(scene, Scalar::double_, "picture in double, 1 thread", {1, stop, nullptr}),
+        rendering(scene, Scalar::double_, "picture in double, all threads", {0, stop, nullptr}),
+        rendering(scene, Scalar::certified, "picture certified, 1 thread", {1, stop, nullptr}),
+    };
     if (papers)
         works.push_back({"the paper's program, 1 thread", 1.0 * scene.width * scene.height,
                          [&scene] { render_as_published(scene.width, scene.height, .2, 1, .2); }});
     const Speeds speeds = time_in_turn(works, runs);
-    if (papers) print(works[2].name, speeds[2]);
-    print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[2], "the paper's program") : "");
+    if (papers) print(works[3].name, speeds[3]);
+    print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[3], "the paper's program") : "");
     print(works[1].name, speeds[1], times(speeds[1], speeds[0], "one thread"));
+    print(works[2].name, speeds[2], times(speeds[2], speeds[0], "double"));
     bench_probes(scene, runs);
 }
 

@@ -28,7 +28,8 @@ sigset_t awaited_signals() {
 
 /// Ends the program at once, whatever the other threads are doing.
 [[noreturn]] void end() {
-    const std::string line = std::string(Interrupt::message) + '\n';
+    const std::string erase_bar = ::isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+    const std::string line = erase_bar + std::string(Interrupt::message) + '\n';
     [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, line.data(), line.size());
     ::_exit(Interrupt::exit_status);
 }

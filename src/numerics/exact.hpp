@@ -35,13 +35,15 @@ public:
         const Dyadic& d = root_of(a, b);
         return {a.p_ * b.p_ + a.q_ * b.q_ * d, a.p_ * b.q_ + a.q_ * b.p_, d, a.r_ * b.r_};
     }
-    /// b must not be 0. (p + q√d)(p − q√d) = p² − q²d clears the root from the denominator; where that is 0, q√d = p.
+    /// b must not be 0. (p + q√d)(p − q√d) = p² − q²d clears the root from the denominator; where that is 0, q√d is p.
     friend Exact operator/(const Exact& a, const Exact& b) {
         const Dyadic norm = b.p_ * b.p_ - b.q_ * b.q_ * b.d_;
-        if (norm.sign() == 0) return a / Exact(b.p_ + b.p_, {}, {}, b.r_);
-        const Dyadic positive = norm.sign() < 0 ? -norm : norm;
-        const Exact quotient = a * Exact(b.p_ * b.r_, -(b.q_ * b.r_), b.d_, positive);
-        return norm.sign() < 0 ? -quotient : quotient;
+        const bool doubled = norm.sign() == 0;
+        const Dyadic n = doubled ? b.p_ + b.p_ : norm;
+        const Dyadic positive = n.sign() < 0 ? -n : n;
+        const Exact quotient =
+            a * (doubled ? Exact(b.r_, {}, {}, positive) : Exact(b.p_ * b.r_, -(b.q_ * b.r_), b.d_, positive));
+        return n.sign() < 0 ? -quotient : quotient;
     }
     /// a must be 0 or more, and without a root: √(p/r) = √(pr) / r.
     friend Exact sqrt(const Exact& a) { return {Dyadic(), Dyadic(1), a.p_ * a.r_, a.r_}; }
@@ -81,6 +83,7 @@ public:
         const Dyadic::Long exact = to_long();
         const auto nearest = static_cast<double>(exact);
         if (!std::isfinite(nearest)) return {nearest, std::numeric_limits<double>::infinity()};
+        if (compare(*this, Exact(nearest)) == 0) return Bounded(nearest);
         const auto distance = static_cast<double>(abs(exact - nearest));
         const auto slack = static_cast<double>(ldexp(abs(exact), -300));
         const double error = Bounded::up(distance + slack);

@@ -139,9 +139,18 @@ fs::path behind_links(const fs::path& path) {
     return failed ? path : target;
 }
 
+/// A descriptor of one's own for what is not a plain file. One that is open already is taken as it is: opening
+/// /dev/stdout anew would empty the file behind `>>`.
+int open_device(const fs::path& path) {
+    const std::string name = path.lexically_normal().string();
+    if (name == "/dev/stdout") return ::dup(STDOUT_FILENO);
+    if (name == "/dev/stderr") return ::dup(STDERR_FILENO);
+    return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
 void write_directly(const fs::path& path, const std::function<void(const Sink&)>& produce, const fs::path& shown,
                     const std::stop_token& stop) {
-    OpenFile file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    OpenFile file(open_device(path));
     if (file.descriptor() < 0) fail(shown, errno);
     write_pieces(file, produce, shown, stop);
     if (const int number = file.close()) fail(shown, number);
@@ -189,6 +198,7 @@ void write_whole(const fs::path& path, const std::function<void(const Sink&)>& p
     check_writable(path);
     if (is_device(path)) return write_directly(path, produce, path, stop);
 
+    if (stop.stop_requested()) throw Cancelled{};  // before there is a temporary that nobody would remove
     const fs::path target = behind_links(path);
     auto [name, descriptor] = create_temporary(folder_of(target), path);
     Temporary temporary(std::move(name), stop);
