@@ -41,13 +41,32 @@ Coloring coloring_of(const Measurement& what, const Summary& summary) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;
     }
-    const bool blocks = !what.range && summary.any_finite() && summary.whole && high - low < 20;
+    const bool counted = !what.range || (what.scale == Scale::sequential && high == std::floor(high));
+    const bool blocks = counted && summary.any_finite() && summary.whole && high - low < 20;
     return {diverging ? diverging_colors() : sequential_colors(), low, high, blocks};
 }
 
 bool is_direction(const Measured& measured) {
     return measured.what->scale == Scale::direction && measured.planes.size() == 3;
 }
+
+namespace {
+
+/// White with black beside it, to be seen on any colour: the values from `level` on that have a lower one next to them.
+void draw_contour(Image& image, const Plane& plane, double level) {
+    const auto above = [&](int x, int y) {
+        return plane.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width) +
+                            static_cast<std::size_t>(x)] >= level;
+    };
+    for (int y = 0; y + 1 < plane.height; ++y)
+        for (int x = 0; x + 1 < plane.width; ++x) {
+            if (above(x, y) == above(x + 1, y) && above(x, y) == above(x, y + 1)) continue;
+            image.at(x, y) = {255, 255, 255};
+            image.at(x + 1, y + 1) = {0, 0, 0};
+        }
+}
+
+}  // namespace
 
 Image colored(const Measured& measured) {
     const Plane& first = measured.planes.front();
@@ -60,6 +79,7 @@ Image colored(const Measured& measured) {
     } else {
         const Coloring coloring = coloring_of(*measured.what, summarized(first));
         std::transform(first.values.begin(), first.values.end(), image.pixels.begin(), coloring);
+        if (measured.what->contour) draw_contour(image, first, *measured.what->contour);
     }
     return image;
 }

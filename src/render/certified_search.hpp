@@ -76,6 +76,12 @@ public:
         return true_t(ray, hit.surface)->to_bounded();
     }
 
+    /// The true t of a surface, if the ray meets it.
+    std::optional<Exact> true_t(const Ray<double>& ray, std::size_t surface) const {
+        return with_rule(surface,
+                         [&](const auto& shape, const auto& rule) { return exact_crossing(ray, shape, rule); });
+    }
+
 private:
     /// Hands on what it is told, and keeps how far the numbers that decide are on the side of a miss: the negative of
     /// the discriminant, or for side products of both signs the smaller of the two largest.
@@ -100,11 +106,6 @@ private:
             const Silent silent;
             return intersect(convert<Bounded>(ray), convert<Bounded>(shape), rule, silent);
         });
-    }
-
-    std::optional<Exact> true_t(const Ray<double>& ray, std::size_t surface) const {
-        return with_rule(surface,
-                         [&](const auto& shape, const auto& rule) { return exact_crossing(ray, shape, rule); });
     }
 
     /// Calls `use` with the surface of that number and the rule for its kind.

@@ -8,41 +8,95 @@ namespace glassbox {
 
 namespace {
 
-using Names = std::array<std::string_view, 1>;
+using P = PixelNumbers;
+using T = TriangleNumbers;
 
-/// A measurement of one component: the member of PixelNumbers that keeps it.
-template <double PixelNumbers::*member, const Names& name>
-constexpr Measurement number(std::string_view unit, std::string_view explanation, Scale scale,
-                             std::optional<std::pair<double, double>> range = {}) {
-    return {name[0], unit, explanation, scale, range, name, [](const PixelNumbers& numbers) {
-                return std::array<double, 3>{numbers.*member, 0, 0};
-            }};
+constexpr std::string_view scalar_names[] = {"tests",     "hits",    "depth",    "n.l",   "n.h",       "n.v",
+                                             "ambient",   "diffuse", "specular", "side",  "margin",    "discriminant",
+                                             "undecided", "verdict", "deficit",  "drift", "bits-lost", "identity"};
+constexpr std::string_view normal_names[] = {"normal.x", "normal.y", "normal.z"};
+
+/// A measurement of one component names its only plane as itself. `name` must be among scalar_names.
+constexpr std::span<const std::string_view> plane_of(std::string_view name) {
+    const auto* const found = std::find(std::begin(scalar_names), std::end(scalar_names), name);
+    return {found, 1};
 }
 
-constexpr Names tests{"tests"}, hits{"hits"}, depth{"depth"}, n_l{"n.l"}, n_h{"n.h"}, n_v{"n.v"}, ambient{"ambient"},
-    diffuse{"diffuse"}, specular{"specular"}, discriminant{"discriminant"}, side{"side"};
-constexpr std::array<std::string_view, 3> normal{"normal.x", "normal.y", "normal.z"};
+template <double P::*member>
+std::array<double, 3> read(const P& numbers) {
+    return {numbers.*member};
+}
 
-using P = PixelNumbers;
-constexpr std::pair<double, double> cosine{-1, 1};
+template <double T::*member>
+std::array<double, 3> read(const P& numbers) {
+    return {numbers.triangles.*member};
+}
 
-constexpr std::array<Measurement, 12> all{
-    number<&P::tests, tests>("", "how many surfaces were tested against the pixel's ray", Scale::sequential),
-    number<&P::hits, hits>("", "how many surfaces the ray meets ahead of its start", Scale::sequential),
-    number<&P::t, depth>("|D|", "t of the nearest surface, in lengths of the ray's direction", Scale::sequential),
-    Measurement{"normal", "", "the unit normal where the ray meets the nearest surface", Scale::direction, cosine,
-                normal, [](const P& numbers) { return numbers.normal; }},
-    number<&P::n_l, n_l>("", "n·l, the cosine of the angle between normal and light", Scale::diverging, cosine),
-    number<&P::n_h, n_h>("", "n·h, the cosine of the angle between normal and half vector", Scale::diverging, cosine),
-    number<&P::n_v, n_v>("", "n·r, the cosine of the angle between normal and viewer", Scale::diverging, cosine),
-    number<&P::ambient, ambient>("", "k_a, the ambient term before its colour", Scale::sequential),
-    number<&P::diffuse, diffuse>("", "I k_d max(0, n·l), the diffuse term before its colour", Scale::sequential),
-    number<&P::specular, specular>("", "I k_s max(0, n·h)ᵉ, the specular term before its colour", Scale::sequential),
-    number<&P::discriminant, discriminant>(
-        "length² |D|²", "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed",
-        Scale::diverging),
-    number<&P::side, side>("", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line",
-                           Scale::diverging),
+constexpr Measurement number(std::string_view name, std::string_view unit, std::string_view explanation, Scale scale,
+                             std::array<double, 3> (*its_read)(const P&)) {
+    return {name, unit, explanation, scale, {}, plane_of(name), its_read, false, {}};
+}
+
+constexpr Measurement between(double low, double high, Measurement measurement) {
+    measurement.range = {low, high};
+    return measurement;
+}
+
+constexpr Measurement with_truth(Measurement measurement) {
+    measurement.needs_truth = true;
+    return measurement;
+}
+
+constexpr Measurement with_contour(double value, Measurement measurement) {
+    measurement.contour = value;
+    return measurement;
+}
+
+constexpr Scale sequential = Scale::sequential, diverging = Scale::diverging;
+
+constexpr Measurement all[] = {
+    number("tests", "", "how many surfaces were tested against the pixel's ray", sequential, read<&P::tests>),
+    number("hits", "", "how many surfaces the ray meets ahead of its start", sequential, read<&P::hits>),
+    number("depth", "|D|", "t of the nearest surface, in lengths of the ray's direction", sequential, read<&P::t>),
+    Measurement{"normal",
+                "",
+                "the unit normal where the ray meets the nearest surface",
+                Scale::direction,
+                std::pair{-1.0, 1.0},
+                normal_names,
+                [](const P& numbers) { return numbers.normal; },
+                false,
+                {}},
+    between(-1, 1,
+            number("n.l", "", "n·l, the cosine of the angle between normal and light", diverging, read<&P::n_l>)),
+    between(-1, 1,
+            number("n.h", "", "n·h, the cosine of the angle between normal and half vector", diverging, read<&P::n_h>)),
+    between(-1, 1,
+            number("n.v", "", "n·r, the cosine of the angle between normal and viewer", diverging, read<&P::n_v>)),
+    number("ambient", "", "k_a, the ambient term before its colour", sequential, read<&P::ambient>),
+    number("diffuse", "", "I k_d max(0, n·l), the diffuse term before its colour", sequential, read<&P::diffuse>),
+    number("specular", "", "I k_s max(0, n·h)ᵉ, the specular term before its colour", sequential, read<&P::specular>),
+    number("discriminant", "length² |D|²",
+           "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed", diverging,
+           read<&P::discriminant>),
+    number("side", "", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line", diverging,
+           read<&T::side>),
+    number("margin", "log10", "the deciding side product over its error bound: below 0 it decides nothing", diverging,
+           read<&T::margin>),
+    number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", sequential,
+           read<&P::undecided>),
+    between(0, 3,
+            with_truth(number("verdict", "", "0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface", sequential,
+                              read<&P::verdict>))),
+    with_contour(1, number("deficit", "log10",
+                           "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
+                           sequential, read<&T::deficit>)),
+    with_truth(number("bits-lost", "bits", "how many of the last bits of t are not the true ones: log2(ulps + 1)",
+                      sequential, read<&P::bits_lost>)),
+    number("identity", "u P", "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding", sequential,
+           read<&T::identity>),
+    number("drift", "length", "how far the ray's start drifts when turns are added up step by step", sequential,
+           read<&P::drift>),
 };
 
 }  // namespace
@@ -50,8 +104,9 @@ constexpr std::array<Measurement, 12> all{
 std::span<const Measurement> measurements() { return all; }
 
 const Measurement* find_measurement(std::string_view name) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Measurement& m) { return m.name == name; });
-    return found == all.end() ? nullptr : &*found;
+    const auto* const found =
+        std::find_if(std::begin(all), std::end(all), [&](const Measurement& m) { return m.name == name; });
+    return found == std::end(all) ? nullptr : found;
 }
 
 }  // namespace glassbox

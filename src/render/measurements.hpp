@@ -25,6 +25,8 @@ struct Measurement {
     std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; otherwise that of its values
     std::span<const std::string_view> planes;            ///< the names of its components: itself, or x, y and z
     std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has planes
+    bool needs_truth = false;                            ///< compared with what a certified search finds
+    std::optional<double> contour = {};                  ///< a value whose border is drawn as a line
 };
 
 /// All measurements, in the order in which they are listed.

@@ -2,15 +2,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <optional>
 
 #include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
 
-#include "numerics/magnitude.hpp"
 #include "render/plane.hpp"
 #include "render/tracer.hpp"
+#include "render/triangle_numbers.hpp"
 
 namespace glassbox {
 
@@ -24,7 +22,14 @@ struct PixelNumbers {
     double n_l = no_value, n_h = no_value, n_v = no_value;
     double ambient = no_value, diffuse = no_value, specular = no_value;
     double discriminant = no_value;  ///< the largest of all spheres tested
-    double side = no_value;          ///< the smallest side product of all triangles tested, over its terms' sizes
+    TriangleNumbers triangles;
+    int exact_tests = 0;                 ///< surfaces that took exact arithmetic
+    double undecided = no_value;         ///< the same, where the search is a proven one
+    double verdict = no_value;           ///< 0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface
+    double bits_lost = no_value;         ///< of t, where the surface is right
+    double drift = no_value;             ///< of the ray's start
+    std::optional<std::size_t> surface;  ///< the nearest
+    long double found_t = no_value;      ///< its t, as every scalar can say it
 
     template <class What, class... Values>
     void operator()(What, const Values&...) {}
@@ -37,7 +42,9 @@ struct PixelNumbers {
     }
 
     template <class Real>
-    void operator()(told::Nearest, std::size_t, const Real& nearest_t) {
+    void operator()(told::Nearest, std::size_t nearest, const Real& nearest_t) {
+        surface = nearest;
+        found_t = nearest_t;
         t = static_cast<double>(nearest_t);
     }
 
@@ -84,25 +91,10 @@ struct PixelNumbers {
 
     template <class Real>
     void operator()(told::Corners, const Triangle<Real>& seen, const Vec3<Real>& D) {
-        side_sizes = glassbox::sides(convert<Magnitude>(D), convert<Magnitude>(seen));
+        triangles.take(seen, D);
     }
 
-    template <class Real>
-    void operator()(told::Sides, const Real& a, const Real& b, const Real& c) {
-        keep_side(static_cast<double>(a), side_sizes.a.size);
-        keep_side(static_cast<double>(b), side_sizes.b.size);
-        keep_side(static_cast<double>(c), side_sizes.c.size);
-    }
-
-private:
-    Sides<Magnitude> side_sizes;
-    double smallest_side = std::numeric_limits<double>::infinity();
-
-    void keep_side(double s, double size) {
-        if (!(std::abs(s) < smallest_side)) return;
-        smallest_side = std::abs(s);
-        side = size > 0 ? s / size : 0;
-    }
+    void operator()(told::Undecided, std::size_t) { ++exact_tests; }
 };
 
 }  // namespace glassbox

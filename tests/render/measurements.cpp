@@ -3,7 +3,9 @@
 
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/render.hpp"
 #include "scene/scene_file.hpp"
@@ -92,6 +94,77 @@ TEST_CASE("side: the smallest side product over the sum of its terms' sizes") {
     // Outside, at column 95, row 20: B.y = 5, A.y = C.y = −95, A.z = B.z = −20, C.z = 80.
     //   a: −(C.y B.z − C.z B.y) = −((−95)(−20) − 80·5) = −1500, sizes 1900 + 400 = 2300; |b| = 9500, |c| = 2000.
     CHECK_ULPS(value(scene, "side", 95, 499 - 20), -1500.0 / 2300, 1);
+}
+
+namespace {
+
+/// One triangle of size 1, seen from above: column j, row i of a picture of 500 x 500 starts at (j/100 − 2, i/100 − 2,
+/// 1).
+Scene unit_triangle() {
+    Scene scene;
+    scene.view = ParallelView{{-2, -2, 1}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, -1}};
+    scene.triangles = {{{Vec3<double>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {255, 255, 255}}};
+    return scene;
+}
+
+std::size_t pixels_with(double wanted_value, const Scene& scene, const char* name, const Options& options) {
+    const Measurement* const wanted = find_measurement(name);
+    const auto planes = measure(scene, options, {&wanted, 1});
+    const auto& values = planes[0][0].values;
+    return static_cast<std::size_t>(std::count(values.begin(), values.end(), wanted_value));
+}
+
+}  // namespace
+
+TEST_CASE("deficit: twice the smaller of the positive and the negative part") {
+    // The ray down from (2, 2, 1) has the weights a = 1 − 2 − 2 = −3, b = 2, c = 2 (times −1, the sign of D·N): their
+    // sum is 1 and their sizes' 7, so the difference is 6. 2·min(4, 3) = 6.
+    CHECK_ULPS(value(unit_triangle(), "deficit", 400, 99), std::log10(6.0), 1);
+}
+
+TEST_CASE("verdict: on a triangle of size 1 the tolerance of 10 hits nearly everywhere, and a proof nowhere wrongly") {
+    Options options;
+    options.triangle_rule = Tolerance{};
+    // What it takes for a hit has 2·min(…) < 10, which all rays of this picture have but those in the farthest corner.
+    CHECK(pixels_with(1, unit_triangle(), "verdict", options) > 200000);
+    CHECK(pixels_with(2, unit_triangle(), "verdict", options) == 0);
+    for (const Scalar proven : {Scalar::certified, Scalar::exact}) {
+        options = {};
+        options.scalar = proven;
+        Scene scene = unit_triangle();
+        if (proven == Scalar::exact) scene.width = scene.height = 60;  // exact arithmetic at every pixel takes a while
+        const auto all = static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
+        CHECK(pixels_with(0, scene, "verdict", options) == all);
+    }
+}
+
+TEST_CASE("margin, undecided and identity on the paper's scene, where every number is whole") {
+    Options options;
+    options.scalar = Scalar::certified;
+    // Column 360, row 120 looks at the edge PR, from (350, 100) to (375, 150), that the faces PQR and PSR share.
+    CHECK(value(paper, "undecided", 360, 499 - 120, options) == 2);
+    CHECK(value(paper, "margin", 360, 499 - 120, options) == -std::numeric_limits<double>::infinity());
+    CHECK(value(paper, "undecided", nx, ny, options) == 0);
+    CHECK(value(paper, "margin", nx, ny, options) > 10);  // whole numbers under 2^30, and bounds of 2^-50 of them
+    CHECK(value(paper, "identity", nx, ny, options) == 0);
+    CHECK(std::isnan(value(paper, "undecided", nx, ny)));  // plain double does not know
+}
+
+TEST_CASE("bits-lost: none where t is a whole number, few on a sphere's slope") {
+    CHECK(value(paper, "bits-lost", gx, gy) == 0);
+    const double slope = value(paper, "bits-lost", gx + 10, gy + 17);
+    CHECK(slope >= 0);
+    CHECK(slope < 3);
+    CHECK(std::isnan(value(paper, "bits-lost", nx, ny)));
+}
+
+TEST_CASE("drift: none without turns; 36 turns of 10 degrees leave some, and no more than their roundings") {
+    CHECK(value(paper, "drift", 0, 0) == 0);
+    Options options;
+    options.turns.assign(36, {Axis::z, 10});
+    const double drift = value(paper, "drift", 0, 0, options);
+    CHECK(drift > 0);
+    CHECK(drift < 36 * 8 * 707 * 0x1p-52);  // 36 steps, a few roundings each, of coordinates up to 707
 }
 
 TEST_CASE("every measurement has a name, an explanation and its planes' names") {
