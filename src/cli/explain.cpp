@@ -1,0 +1,84 @@
+#include "explain/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/notes.hpp"
+#include "cli/typed.hpp"
+#include "explain/json.hpp"
+#include "explain/text.hpp"
+
+namespace glassbox {
+
+namespace {
+
+struct ExplainRequest : Request {
+    std::string pixel;
+    bool json = false;
+};
+
+/// A word of a command line as a shell reads it back.
+std::string quoted(const std::string& word) {
+    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string result = "'";
+    for (const char c : word)
+        if (c == '\'') result += "'\\''";
+        else result += c;
+    return result + '\'';
+}
+
+/// The command line that asks for the same story.
+std::string again(const CLI::App& command, const ExplainRequest& request) {
+    std::string line = fmt::format("glassbox {} {}", command.get_name(), quoted(request.scene));
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0 || option->get_positional() || option->get_expected_max() == 0) continue;
+        line += fmt::format(" --{} {}", option->get_lnames().front(), quoted(option->results().front()));
+    }
+    return line;
+}
+
+std::pair<int, int> pixel(const ExplainRequest& request, const Scene& scene) {
+    const std::vector<std::string> words = between_commas(request.pixel);
+    if (words.size() != 2)
+        throw wrong("--pixel", fmt::format("'{}' must be X,Y: x to the right and y down, (0,0) is the top-left pixel",
+                                           request.pixel));
+    const auto coordinate = [&](const std::string& word, char name, int count) {
+        try {
+            return whole_number("--pixel", word, 0, count - 1);
+        } catch (const CLI::ValidationError&) {
+            throw wrong("--pixel", fmt::format("'{}': {} must be a whole number from 0 to {}; the picture is {}x{}",
+                                               request.pixel, name, count - 1, scene.width, scene.height));
+        }
+    };
+    return {coordinate(words[0], 'x', scene.width), coordinate(words[1], 'y', scene.height)};
+}
+
+void run(const CLI::App& command, const ExplainRequest& request) {
+    const Scene scene = load(request);
+    const auto [x, y] = pixel(request, scene);
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options.stage));
+    Story story = explain(scene, request.options, x, y);
+    story.command = again(command, request);
+    fmt::print("{}", request.json ? to_json(story) : to_text(story));
+}
+
+}  // namespace
+
+void add_explain(CLI::App& program) {
+    const auto request = std::make_shared<ExplainRequest>();
+    CLI::App* command = program.add_subcommand("explain", "Tell how one pixel came about, number by number");
+    add_scene_options(*command, *request);
+    command->add_option("--pixel", request->pixel, "the pixel: x to the right, y down, (0,0) is the top-left one")
+        ->type_name("X,Y")
+        ->required();
+    command->add_flag("--json", request->json, "as JSON, with all digits and each operation (docs/explain.md)");
+    command->footer("Example: glassbox explain levental-2014 --pixel 350,149");
+    command->callback([request, command] { run(*command, *request); });
+}
+
+}  // namespace glassbox

@@ -1,0 +1,72 @@
+#include "explain/explain.hpp"
+
+#include <utility>
+
+#include "explain/hit_story.hpp"
+#include "explain/surface_story.hpp"
+#include "explain/verdict.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// How many surfaces a story tells of; more only if more are met.
+constexpr std::size_t most_surfaces = 20;
+
+bool is_on_border(const Scene& scene, int x, int y) {
+    return scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
+}
+
+story::Kind kind(const Scene& scene, std::size_t number) {
+    if (number < scene.spheres.size()) return story::Kind::sphere;
+    return number < scene.spheres.size() + scene.triangles.size() ? story::Kind::triangle : story::Kind::mesh_face;
+}
+
+void tell_surfaces(Story& story, const Scene& scene, const Surfaces<double>& surfaces, const Verdict& verdict,
+                   const std::vector<Rgb>& colors) {
+    for (const std::size_t number : worth_telling(surfaces, verdict, most_surfaces)) {
+        story::Surface surface = surface_story(surfaces, story.options, verdict, number);
+        surface.kind = kind(scene, number);
+        surface.color = colors[number];
+        story.surfaces.push_back(std::move(surface));
+    }
+    story.not_listed = story.tested - story.surfaces.size();
+}
+
+}  // namespace
+
+Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail) {
+    const Verdict said = verdict(scene, options, x, y);
+    const Surfaces<double> all = surfaces<double>(scene, options.stage);
+    const std::vector<Rgb> colors = surface_colors(scene);
+
+    Story story;
+    story.title = scene.title;
+    story.width = scene.width;
+    story.height = scene.height;
+    story.x = story.column = x;
+    story.y = y;
+    story.row = scene.height - 1 - y;
+    story.options = options;
+    story.ray = said.ray;
+    story.tested = all.spheres.size() + all.triangles.size();
+    story.met = said.met.size();
+    story.traced = scene.background;
+    if (options.stage == 1) {
+        const auto [color, rounded] = ray_story(said, story.column, story.row, detail);
+        story.ray_color = color;
+        story.traced = rounded;
+    } else if (said.nearest) {
+        auto [hit, color] = hit_story(scene, all, options, said, colors[said.nearest->surface], detail);
+        story.hit = std::move(hit);
+        story.traced = color;
+    }
+    // The steps are double's. In another scalar the picture's colour is that scalar's.
+    if (options.scalar == Scalar::float_ || options.scalar == Scalar::long_double) story.traced = said.color;
+    story.border = is_on_border(scene, x, y);
+    story.color = story.border ? *scene.border : story.traced;
+    if (detail == Detail::whole && options.stage > 1) tell_surfaces(story, scene, all, said, colors);
+    return story;
+}
+
+}  // namespace glassbox

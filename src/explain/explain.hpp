@@ -1,0 +1,16 @@
+#pragma once
+#include "explain/story.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// How much of a pixel's story is told.
+enum class Detail {
+    recorded,  ///< what was computed at the hit; neither bounds nor truths, and no other surfaces
+    whole,
+};
+
+/// The story of the pixel (x, y), 0 ≤ x < width and 0 ≤ y < height, as `render` computes it.
+Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole);
+
+}  // namespace glassbox

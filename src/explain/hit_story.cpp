@@ -1,0 +1,193 @@
+#include "explain/hit_story.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include <ray_color.hpp>
+
+#include "explain/heard.hpp"
+#include "explain/inputs.hpp"
+#include "render/exact_crossing.hpp"
+#include "render/search.hpp"
+#include "render/tracer.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using namespace story;
+
+/// What a tape's numbers became; without a replay, their values only.
+class Lookup {
+public:
+    Lookup(const Tape& tape, Detail detail) {
+        if (detail == Detail::whole) checked_ = replay(tape);
+    }
+
+    Number operator()(const Recorded& number) const {
+        if (!number.tape() || checked_.empty()) return {.value = number.value(), .truth = number.value()};
+        return checked_[number.step()];
+    }
+    Vector operator()(const Vec3<Recorded>& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
+
+    const std::vector<Checked>& all() const { return checked_; }
+
+private:
+    std::vector<Checked> checked_;
+};
+
+/// The hit, recorded: t as the formula gives it, or, where exact arithmetic decided, as an input.
+template <class Shape>
+struct RecordedHit {
+    Ray<Recorded> ray;
+    Shape shape;
+    Recorded t;
+    bool t_by_exact = false;
+};
+
+template <class Shape, class Rule>
+auto record_hit(Tape& tape, Heard& heard, const Verdict& verdict, const Shape& shape, const Rule& rule) {
+    const Ray<Recorded> ray = input(tape, verdict.ray);
+    const auto recorded = input(tape, shape);
+    const Crossing<Recorded> crossing = intersect(ray, recorded, rule, heard);
+    const bool same = crossing.t.value() == verdict.nearest->t;
+    const Recorded t = same ? crossing.t : Recorded::input(tape, verdict.nearest->t, "t");
+    if (same) name(t, "t");
+    return RecordedHit<std::remove_const_t<decltype(recorded)>>{ray, recorded, t, !same};
+}
+
+/// The unit normal, as the renderer finds it.
+template <class Shape>
+Vec3<Recorded> normal_of(const RecordedHit<Shape>& hit) {
+    PlainSearch<Recorded, Stable, Pluecker> search{};
+    if constexpr (std::is_same_v<Shape, Sphere<Recorded>>) search.surfaces.spheres = {hit.shape};
+    else search.surfaces.triangles = {hit.shape};
+    return search.normal_at(hit.ray, {0, hit.t});
+}
+
+Shading<Recorded> input(Tape& tape, const Shading<double>& s) {
+    return {s.model,
+            Recorded::input(tape, s.k_a, "k_a"),
+            Recorded::input(tape, s.k_d, "k_d"),
+            Recorded::input(tape, s.k_s, "k_s"),
+            Recorded::input(tape, s.exponent, "e"),
+            glassbox::input(tape, s.ambient_color, "ambient_color"),
+            glassbox::input(tape, s.specular_color, "specular_color")};
+}
+
+struct RecordedShade {
+    Vec3<Recorded> r, sum;
+    Light<Recorded> light;
+    Terms<Recorded> terms;
+    Rgb color;
+};
+
+RecordedShade record_shade(Tape& tape, Heard& heard, const Scene& scene, const Ray<Recorded>& ray,
+                           const Vec3<Recorded>& n, Rgb own_color) {
+    const Light<Recorded> light = directional_light(glassbox::input(tape, scene.light_position, "L"),
+                                                    Recorded::input(tape, scene.light_intensity, "I"));
+    name(light.l, "l");
+    const Vec3<Recorded> r = unit(-ray.D);
+    name(r, "r");
+    const Vec3<Recorded> own = glassbox::input(tape, to_vec3<double>(own_color), "color");
+    const Shading<Recorded> shading = input(tape, scene.shading);
+    const Terms<Recorded> terms = shade(n, r, own, light, shading, heard);
+    name(terms.ambient, "ambient");
+    name(terms.diffuse, "diffuse");
+    name(terms.specular, "specular");
+    const Vec3<Recorded> sum = terms.ambient + terms.diffuse + terms.specular;
+    name(sum, "sum");
+    return {r, sum, light, terms, to_rgb(terms, scene.shading.model)};
+}
+
+Shade shade_story(const Scene& scene, const Lookup& look, const Heard& heard, const RecordedShade& s, Rgb own) {
+    const Shading<double>& shading = scene.shading;
+    const auto term = [&](double k, const Recorded& factor, const Vec3<double>& color, const Vec3<Recorded>& product) {
+        return Term{k, look(factor), color, look(product), truncated(product)};
+    };
+    return {.model = shading.model,
+            .intensity = scene.light_intensity,
+            .exponent = shading.exponent,
+            .L = look(s.light.L),
+            .l = look(s.light.l),
+            .r = look(s.r),
+            .n_l = look(heard.n_l),
+            .n_r = look(heard.n_r),
+            .h = look(heard.h),
+            .highlight = look(heard.highlight),
+            .ambient = term(shading.k_a, heard.ambient, shading.ambient_color, s.terms.ambient),
+            .diffuse = term(shading.k_d, heard.diffuse, to_vec3<double>(own), s.terms.diffuse),
+            .specular = term(shading.k_s, heard.specular, shading.specular_color, s.terms.specular),
+            .sum = look(s.sum)};
+}
+
+/// Finds the step that lost the most bits beyond those that its operands had lost.
+void find_worst(FirstHit& hit) {
+    for (std::size_t i = 0; i < hit.steps.size(); ++i) {
+        const auto& [step, its_name, checked] = hit.steps[i];
+        if (operands(step.operation) == 0 || !(checked.bits_lost > 0)) continue;
+        const auto lost = [&](StepNumber operand) { return hit.steps[operand].checked.bits_lost; };
+        const double loss = checked.bits_lost - std::max(lost(step.left), lost(step.right));
+        if (!(loss > hit.worst_loss)) continue;
+        hit.worst = static_cast<StepNumber>(i);
+        hit.worst_loss = loss;
+    }
+}
+
+void tell_steps(FirstHit& hit, const Tape& tape, const Lookup& look) {
+    std::vector<std::string> names = tape.names();
+    for (std::size_t i = 0; i < look.all().size(); ++i)
+        hit.steps.push_back({tape.steps()[i], std::move(names[i]), look.all()[i]});
+    find_worst(hit);
+}
+
+template <class Shape, class Rule>
+ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verdict, Rgb own, Detail detail,
+                 const Shape& shape, const Rule& rule) {
+    Tape tape;
+    Heard heard;
+    const auto at_hit = record_hit(tape, heard, verdict, shape, rule);
+    const Vec3<Recorded> point = at(at_hit.ray, at_hit.t);
+    name(point, "point");
+    const Vec3<Recorded> n = normal_of(at_hit);
+    name(n, "n");
+    std::optional<RecordedShade> shade;
+    if (options.stage >= 4) shade = record_shade(tape, heard, scene, at_hit.ray, n, own);
+
+    const Lookup look(tape, detail);
+    FirstHit hit;
+    hit.surface = verdict.nearest->surface;
+    hit.t = look(at_hit.t);
+    hit.t_by_exact = at_hit.t_by_exact;
+    if (hit.t_by_exact && detail == Detail::whole)
+        if (const std::optional<Exact> truth = exact_crossing(verdict.ray, shape, rule))
+            hit.t = checked(verdict.nearest->t, truth->to_bounded());
+    hit.point = look(point);
+    hit.normal = look(n);
+    if (shade) hit.shade = shade_story(scene, look, heard, *shade, own);
+    tell_steps(hit, tape, look);
+    return {std::move(hit), shade ? shade->color : own};
+}
+
+}  // namespace
+
+ToldHit hit_story(const Scene& scene, const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+                  Rgb own_color, Detail detail) {
+    return with_surface(surfaces, verdict.nearest->surface, [&]<class Shape>(const Shape& shape) {
+        const auto tell = [&](const auto& rule) {
+            return told_hit(scene, options, verdict, own_color, detail, shape, rule);
+        };
+        if constexpr (std::is_same_v<Shape, Sphere<double>>) return std::visit(tell, options.sphere_rule);
+        else return std::visit(tell, options.triangle_rule);
+    });
+}
+
+ToldRay ray_story(const Verdict& verdict, int column, int row, Detail detail) {
+    Tape tape;
+    const Vec3<Recorded> color = ray_color(input(tape, verdict.ray), column, row);
+    const Lookup look(tape, detail);
+    return {look(color), rounded(color)};
+}
+
+}  // namespace glassbox

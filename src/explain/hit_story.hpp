@@ -1,0 +1,25 @@
+#pragma once
+#include "explain/explain.hpp"
+#include "explain/verdict.hpp"
+#include "render/surfaces.hpp"
+
+namespace glassbox {
+
+/// What was computed where the ray meets its nearest surface: and the colour that the recorded steps give.
+struct ToldHit {
+    story::FirstHit hit;
+    Rgb color;
+};
+
+/// `verdict` must have a nearest surface.
+ToldHit hit_story(const Scene& scene, const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+                  Rgb own_color, Detail detail);
+
+/// Stage 1: the ray's direction as a colour, by `ray_color`.
+struct ToldRay {
+    story::Vector color;
+    Rgb rounded;
+};
+ToldRay ray_story(const Verdict& verdict, int column, int row, Detail detail);
+
+}  // namespace glassbox

@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "numerics/bounded.hpp"
+#include "numerics/tape.hpp"
+
+namespace glassbox {
+
+/// How well the true value of a step is known.
+enum class Known {
+    exactly,        ///< in exact arithmetic: rationals with one square root
+    to_long_float,  ///< in binary floats of 320 bits: powers, and roots of roots
+    not_at_all,     ///< a division by 0, a root of a negative number, an input that is not finite
+};
+
+/// A step looked at again: what it computed, a guaranteed bound, and what the same steps give without any rounding.
+struct Checked {
+    double value = 0;      ///< as recorded
+    double error = 0;      ///< |value − truth| is at most this, proven by running bounds; infinite: nothing is proven
+    double truth = 0;      ///< the true value, rounded once
+    double distance = 0;   ///< |value − truth|, rounded once
+    double bits_lost = 0;  ///< log2(ulps + 1), the distance in units of the value's last place; at most 53
+    int sign = 0;          ///< of the truth
+    Known known = Known::exactly;
+};
+
+/// Does a tape's operations again, with bounds and without rounding. Inputs and constants are taken as exact. The truth
+/// of a comparison is whether it truly holds; its error is 0 where the bounds decide it, else 1.
+std::vector<Checked> replay(const Tape& tape);
+
+/// That of a value and a truth found elsewhere.
+Checked checked(double value, const Bounded& truth);
+
+}  // namespace glassbox

@@ -1,0 +1,209 @@
+#include "explain/surface_story.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "explain/heard.hpp"
+#include "explain/inputs.hpp"
+#include "render/exact_crossing.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using namespace story;
+
+/// The probe that keeps how far a ray misses a surface, as a fraction: 0 where its line does not.
+struct Nearness {
+    double miss = 0;
+
+    template <class What, class... Values>
+    void operator()(What, const Values&...) {}
+
+    /// What Δ lacks, beside D²r², which it would be through the centre.
+    void operator()(told::Discriminant, double discriminant) {
+        if (discriminant < 0) miss = discriminant / (discriminant - through_centre);
+    }
+    /// The smaller of the positive and the negative part of the sides, beside both.
+    void operator()(told::Sides, double a, double b, double c) {
+        double positive = 0, negative = 0;
+        for (const double side : {a, b, c}) (side > 0 ? positive : negative) += std::abs(side);
+        const double both = positive + negative;
+        miss = both > 0 ? std::min(positive, negative) / both : 1;
+    }
+
+    double through_centre = 0;
+};
+
+double miss(const Ray<double>& ray, const Sphere<double>& sphere) {
+    Nearness nearness;
+    nearness.through_centre = dot(ray.D, ray.D) * sphere.r * sphere.r;
+    intersect(ray, sphere, Stable{}, nearness);
+    return nearness.miss;
+}
+
+double miss(const Ray<double>& ray, const Triangle<double>& triangle) {
+    Nearness nearness;
+    intersect(ray, triangle, Pluecker{}, nearness);
+    return nearness.miss;
+}
+
+bool is_met(const Verdict& verdict, std::size_t number) {
+    return std::any_of(verdict.met.begin(), verdict.met.end(), [&](const auto& hit) { return hit.surface == number; });
+}
+
+/// A surface tested by a rule, each operation of it on tape.
+struct Tested {
+    Tape tape;
+    Heard heard;
+    Crossing<Recorded> crossing;
+    std::vector<Checked> checked;
+
+    template <class Surface, class Rule>
+    Tested(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
+        crossing = intersect(input(tape, ray), input(tape, surface), rule, heard);
+    }
+    Tested(const Tested&) = delete;  // the numbers know their tape by its address
+    Tested& operator=(const Tested&) = delete;
+
+    void replay() { checked = glassbox::replay(tape); }
+
+    Number operator()(const Recorded& number) const {
+        return number.tape() ? checked[number.step()] : Number{.value = number.value(), .truth = number.value()};
+    }
+    std::optional<Number> operator()(const std::optional<Recorded>& number) const {
+        return number ? std::optional((*this)(*number)) : std::nullopt;
+    }
+};
+
+RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const auto& rule) {
+    Tested tested(ray, sphere, rule);
+    tested.replay();
+    return {tested(*tested.heard.discriminant), tested(tested.heard.t0), tested(tested.heard.t1)};
+}
+
+SphereTest test_of(const Ray<double>& ray, const Sphere<double>& sphere, const Options&) {
+    return {sphere.c, sphere.r, roots_by(ray, sphere, Textbook{}), roots_by(ray, sphere, Stable{})};
+}
+
+TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, const Options& options) {
+    const auto* chosen = std::get_if<Tolerance>(&options.triangle_rule);
+    const Tolerance rule = chosen ? *chosen : Tolerance{};
+    Tested tested(ray, triangle, rule);
+    const Heard& heard = tested.heard;
+    std::array<Recorded, 3> weights;
+    const bool has_sum = heard.sum->value() != 0;
+    if (has_sum) weights = {*heard.a / *heard.sum, *heard.b / *heard.sum, *heard.c / *heard.sum};
+    tested.replay();
+    TriangleTest result{.vertices = {triangle.A, triangle.B, triangle.C},
+                        .a = tested(*heard.a),
+                        .b = tested(*heard.b),
+                        .c = tested(*heard.c),
+                        .sum = tested(*heard.sum),
+                        .deficit = tested(*heard.deficit),
+                        .tolerance = rule.tolerance,
+                        .accepted = tested.crossing.met,
+                        .weights = {}};
+    if (has_sum) result.weights = {tested(weights[0]), tested(weights[1]), tested(weights[2])};
+    return result;
+}
+
+/// The sign that decided: the true one where the renderer proves it, else that of the computed number.
+int deciding_sign(const Number& number, const Options& options) {
+    if (is_proven(options.scalar) && number.known != Known::not_at_all) return number.sign;
+    return number.value > 0 ? 1 : number.value < 0 ? -1 : 0;
+}
+
+/// Why a sphere was missed.
+Fate why_missed(const SphereTest& test, const Options& options) {
+    const RootPair& roots = std::holds_alternative<Textbook>(options.sphere_rule) ? test.textbook : test.stable;
+    if (deciding_sign(roots.discriminant, options) < 0) return Fate::apart;
+    return roots.t1 && deciding_sign(*roots.t1, options) <= 0 ? Fate::behind : Fate::refused;
+}
+
+/// Why a triangle was missed; `t` is where the line meets its plane, if that was asked.
+Fate why_missed(const TriangleTest& test, const std::optional<Number>& t, const Options& options) {
+    if (std::holds_alternative<Tolerance>(options.triangle_rule)) {
+        if (!(test.deficit.value < test.tolerance)) return Fate::beyond_tolerance;
+    } else {
+        const auto [least, most] = std::minmax(
+            {deciding_sign(test.a, options), deciding_sign(test.b, options), deciding_sign(test.c, options)});
+        if (least < 0 && most > 0) return Fate::outside;
+        if (least == 0 && most == 0) return Fate::edge_on;
+    }
+    if (deciding_sign(test.sum, options) == 0) return Fate::edge_on;
+    return t && deciding_sign(*t, options) <= 0 ? Fate::behind : Fate::refused;
+}
+
+Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Options& options) {
+    return why_missed(test, options);
+}
+
+/// t as the rule computed it, if it came to that.
+template <class Shape, class Rule>
+std::optional<Number> recorded_t(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
+    Tested tested(ray, shape, rule);
+    if (!tested.crossing.t.tape()) return {};
+    tested.replay();
+    return tested(tested.crossing.t);
+}
+
+template <class Shape, class Rule>
+Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, const Options& options,
+                const Verdict& verdict, std::size_t number) {
+    Surface result;
+    result.number = number;
+    const auto test = test_of(ray, shape, options);
+    result.test = test;
+    result.t = recorded_t(ray, shape, rule);
+    const auto met = std::find_if(verdict.met.begin(), verdict.met.end(),
+                                  [&](const Hit<double>& hit) { return hit.surface == number; });
+    if (met == verdict.met.end()) {
+        result.fate = why_missed(test, result.t, options);
+        if (result.fate != Fate::behind) result.t.reset();
+        return result;
+    }
+    result.fate = verdict.nearest && verdict.nearest->surface == number ? Fate::nearest : Fate::farther;
+    if (!result.t || result.t->value != met->t) {
+        const std::optional<Exact> truth = exact_crossing(ray, shape, rule);
+        result.t = truth ? checked(met->t, truth->to_bounded()) : Number{.value = met->t, .known = Known::not_at_all};
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::size_t> worth_telling(const Surfaces<double>& surfaces, const Verdict& verdict, std::size_t most) {
+    const std::size_t count = surfaces.spheres.size() + surfaces.triangles.size();
+    std::vector<std::pair<double, std::size_t>> by_miss(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double by = is_met(verdict, i) ? -1
+                          : count <= most
+                              ? 0
+                              : with_surface(surfaces, i, [&](const auto& s) { return miss(verdict.ray, s); });
+        by_miss[i] = {by, i};
+    }
+    std::sort(by_miss.begin(), by_miss.end());
+    std::vector<std::size_t> chosen;
+    for (const auto& [by, i] : by_miss)
+        if (by < 0 || chosen.size() < most) chosen.push_back(i);
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+Surface surface_story(const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+                      std::size_t number) {
+    const auto tell = [&](const auto& shape, const auto& rules) {
+        return std::visit([&](const auto& rule) { return tell_of(verdict.ray, shape, rule, options, verdict, number); },
+                          rules);
+    };
+    Surface result = with_surface(surfaces, number, [&]<class Shape>(const Shape& shape) {
+        if constexpr (std::is_same_v<Shape, Sphere<double>>) return tell(shape, options.sphere_rule);
+        else return tell(shape, options.triangle_rule);
+    });
+    const auto& exact = verdict.needed_exact;
+    result.needed_exact = std::find(exact.begin(), exact.end(), number) != exact.end();
+    return result;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,52 @@
+#include "explain/verdict.hpp"
+
+#include <span>
+
+#include "render/tracer.hpp"
+#include "render/view.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// The probe that keeps what becomes of the surfaces.
+struct Witness {
+    Verdict& verdict;
+
+    template <class What, class... Values>
+    void operator()(What, const Values&...) const {}
+
+    template <class Real>
+    void operator()(told::Met, std::size_t surface, const Real& t) const {
+        verdict.met.push_back({surface, static_cast<double>(t)});
+    }
+
+    void operator()(told::Undecided, std::size_t surface) const { verdict.needed_exact.push_back(surface); }
+
+    template <class Real>
+    void operator()(told::Nearest, std::size_t surface, const Real& t) const {
+        verdict.nearest = Hit<double>{surface, static_cast<double>(t)};
+    }
+
+    template <class Real>
+    void operator()(told::SurfaceNormal, const Vec3<Real>& n) const {
+        verdict.normal = convert<double>(n);
+    }
+};
+
+}  // namespace
+
+Verdict verdict(const Scene& scene, const Options& options, int x, int y) {
+    const View seen = view(scene, options.stage >= 5 ? std::span(options.turns) : std::span<const Turn<double>>{});
+    Verdict result;
+    result.ray = pixel_ray(seen, x, y, scene.height);
+    with_tracer(scene, options, reach(seen, scene.width, scene.height),
+                [&]<class Search>(const Tracer<Search>& tracer) {
+                    Witness witness{result};
+                    const auto ray = convert<typename Search::Number>(result.ray);
+                    result.color = tracer.color(ray, x, scene.height - 1 - y, witness);
+                });
+    return result;
+}
+
+}  // namespace glassbox

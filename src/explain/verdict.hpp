@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <crossing.hpp>
+#include <ray.hpp>
+#include <rgb.hpp>
+
+#include "render/options.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// What the renderer itself says about one pixel, with its own scalar and rules.
+struct Verdict {
+    Ray<double> ray;
+    Rgb color;
+    std::optional<Hit<double>> nearest;
+    Vec3<double> normal;
+    std::vector<Hit<double>> met;           ///< all surfaces met, in the order of their numbers
+    std::vector<std::size_t> needed_exact;  ///< those that error bounds could not decide
+};
+
+Verdict verdict(const Scene& scene, const Options& options, int x, int y);
+
+}  // namespace glassbox

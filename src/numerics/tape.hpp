@@ -1,0 +1,86 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glassbox {
+
+/// What one step of a computation does.
+enum class Operation : std::uint8_t {
+    input,
+    constant,
+    add,
+    subtract,
+    multiply,
+    divide,
+    negate,
+    square_root,
+    power,
+    absolute,
+    less,
+    greater,
+    less_equal,
+    greater_equal,
+    equal,
+    not_equal
+};
+
+/// How many operands an operation has.
+constexpr int operands(Operation operation) {
+    switch (operation) {
+        case Operation::input:
+        case Operation::constant:
+            return 0;
+        case Operation::negate:
+        case Operation::square_root:
+        case Operation::absolute:
+            return 1;
+        default:
+            return 2;
+    }
+}
+
+constexpr bool is_comparison(Operation operation) { return operation >= Operation::less; }
+
+/// A step of a tape, counted from its start.
+using StepNumber = std::uint32_t;
+
+/// One operation: its operands are earlier steps. A comparison's value is 1 where it holds and 0 where it does not.
+struct Step {
+    Operation operation = Operation::input;
+    StepNumber left = 0, right = 0;
+    double value = 0;
+    const char* file = "";  ///< the source that asked for it; none for inputs and constants
+    int line = 0;
+};
+
+/// All operations of a computation, in the order in which they were done, with the names that some were given.
+class Tape {
+public:
+    StepNumber append(const Step& step) {
+        steps_.push_back(step);
+        return static_cast<StepNumber>(steps_.size() - 1);
+    }
+
+    /// A step may have several names: the first is what it was called first.
+    void name(StepNumber step, std::string name) { names_.emplace_back(step, std::move(name)); }
+
+    const std::vector<Step>& steps() const { return steps_; }
+    const Step& operator[](StepNumber step) const { return steps_[step]; }
+
+    /// The first name of each step; empty for those without.
+    std::vector<std::string> names() const {
+        std::vector<std::string> all(steps_.size());
+        for (const auto& [step, name] : names_)
+            if (all[step].empty()) all[step] = name;
+        return all;
+    }
+
+private:
+    std::vector<Step> steps_;
+    std::vector<std::pair<StepNumber, std::string>> names_;
+};
+
+}  // namespace glassbox
