@@ -21,8 +21,8 @@ void add_commands(CLI::App& program, glassbox::Session& session) {
     program.footer("'glassbox COMMAND --help' tells more. To begin with: glassbox render levental-2014");
     glassbox::add_render(program, session);
     glassbox::add_measure(program, session);
-    glassbox::add_explain(program);
     glassbox::add_shoot(program, session);
+    glassbox::add_explain(program);
     glassbox::add_bench(program, session);
     glassbox::add_doctor(program);
 }

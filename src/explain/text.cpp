@@ -138,17 +138,20 @@ void tell_test(Page& page, std::size_t number, const SphereTest& test) {
 
 void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
     const auto& [A, B, C] = test.vertices;
-    page.line("{:>5}  A = {}  B = {}  C = {}", number, triple(A), triple(B), triple(C));
-    const auto side = [&](std::string_view name, const Number& n) {
-        page.line("       {} = {:<27} truly {}, {}", name, bounded(n), sign(n), lost(n.bits_lost));
+    const auto row = [&](const std::string& before, char vertex, const Vec3<double>& v, char side, const Number& n) {
+        page.line("{:>5}  {} = {:<30} {} = {:<22} truly {}, {}", before, vertex, triple(v), side, bounded(n), sign(n),
+                  lost(n.bits_lost));
     };
-    side("a", test.a);
-    side("b", test.b);
-    side("c", test.c);
+    row(std::to_string(number), 'A', A, 'a', test.a);
+    row("", 'B', B, 'b', test.b);
+    row("", 'C', C, 'c', test.c);
     page.line("       a+b+c = {}", bounded(test.sum));
-    page.line("       | |a+b+c| − (|a|+|b|+|c|) | = {}, {} {}: the paper's rule says {}",
-              short_number(test.deficit.value), test.deficit.value < test.tolerance ? "under" : "not under",
-              short_number(test.tolerance), test.accepted ? "hit" : "miss");
+    const char* const compared = test.sum.value == 0                   ? "but a+b+c is 0"
+                                 : test.deficit.value < test.tolerance ? "under"
+                                                                       : "not under";
+    page.line("       | |a+b+c| − (|a|+|b|+|c|) | = {}, {}{}: the paper's rule says {}",
+              short_number(test.deficit.value), compared, test.sum.value == 0 ? "" : ' ' + short_number(test.tolerance),
+              test.accepted ? "hit" : "miss");
 }
 
 /// Of many surfaces only those met are told in full.

@@ -1,0 +1,65 @@
+// `glassbox explain`, run as its users run it.
+#include <doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "cli/tiny_scene.hpp"
+
+using namespace glassbox::test;
+
+TEST_CASE("text and JSON on stdout") {
+    const Folder folder;
+    write(folder / "s.toml", tiny_scene);
+    const Ran text = run_glassbox({"explain", "s.toml", "--pixel", "1,1"}, {.folder = folder.path});
+    CHECK(text.status == 0);
+    CHECK(text.err == "");
+    CHECK(text.out.find("Pixel (1, 1) of 4 × 3") == 0);
+    CHECK(text.out.find("glassbox explain s.toml --pixel 1,1\n") != std::string::npos);
+    const Ran json = run_glassbox({"explain", "s.toml", "--pixel", "1,1", "--json"}, {.folder = folder.path});
+    CHECK(json.status == 0);
+    CHECK(nlohmann::json::parse(json.out)["hit"]["t"]["value"] == 499);
+}
+
+TEST_CASE("the command in a story tells the same story again") {
+    const Folder folder;
+    write(folder / "two words.toml", tiny_scene);
+    const Ran ran = run_glassbox({"explain", "two words.toml", "--pixel", "2,1", "--turn", "z:1,y:-2", "--size=8x6",
+                                  "--diffuse", ".5", "--triangle", "tolerance:3", "--json"},
+                                 {.folder = folder.path});
+    CHECK(ran.status == 0);
+    const std::string command = nlohmann::json::parse(ran.out)["command"];
+    CHECK(command.starts_with("glassbox explain 'two words.toml'"));
+    for (const char* part : {"--pixel 2,1", "--turn z:1,y:-2", "--size 8x6", "--diffuse .5", "--triangle tolerance:3"})
+        CHECK_MESSAGE(command.find(part) != std::string::npos, part);
+    CHECK(command.find("json") == std::string::npos);
+}
+
+TEST_CASE("pixels that are none") {
+    const Folder folder;
+    write(folder / "s.toml", tiny_scene);
+    const auto refused = [&](const char* pixel, const std::vector<std::string>& parts) {
+        check_refused(folder, {"explain", "s.toml", "--pixel", pixel}, 2, parts);
+    };
+    refused("4,0", {"glassbox explain: error: --pixel: '4,0': x must be a whole number from 0 to 3", "4x3"});
+    refused("0,3", {"y must be a whole number from 0 to 2"});
+    refused("-1,0", {"x must be a whole number from 0 to 3"});
+    refused("1.5,0", {"x must be a whole number"});
+    refused("1", {"'1' must be X,Y"});
+    refused("1,2,3", {"'1,2,3' must be X,Y"});
+    refused("", {"'' must be X,Y"});
+    check_refused(folder, {"explain", "s.toml"}, 2, {"--pixel is missing"});
+}
+
+#ifdef NDEBUG  // the time is that of a release build
+TEST_CASE("within 50 ms, from the program's start to its end") {
+    const Folder folder;
+    double best = 1;
+    for (int i = 0; i < 10; ++i)
+        best = std::min(
+            best, run_glassbox({"explain", "levental-2014", "--pixel", "350,149"}, {.folder = folder.path}).seconds);
+    MESSAGE("explain took " << best * 1000 << " ms");
+    CHECK(best < 0.05);
+}
+#endif

@@ -1,0 +1,122 @@
+// A tape looked at again: bounds that hold, true values, lost bits.
+#include "explain/replay.hpp"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <probe.hpp>
+#include <random>
+#include <shading.hpp>
+#include <sphere.hpp>
+#include <triangle.hpp>
+
+#include "numerics/recorded.hpp"
+#include "support/ulps.hpp"
+
+using namespace glassbox;
+
+namespace {
+
+/// On every step the bound must hold.
+void check_bounds(const Tape& tape) {
+    for (const Checked& checked : replay(tape)) {
+        if (checked.known == Known::not_at_all) continue;
+        CHECK(checked.distance <= checked.error);
+        CHECK(checked.bits_lost >= 0);
+    }
+}
+
+}  // namespace
+
+// In units of 2^-56, 0.1 is n = 0x1999999999999a, 0.2 is 2n, and 0.3 is 4·0x13333333333333 = 3n − 2. So the truth of
+// (0.1 + 0.2) − 0.3 is 2^-55. The sum rounds up to 0.3 + 2^-54, and the difference is 2^-54: off by 2^-55, which is
+// 2^51 of its last places, of 2^-106 each.
+TEST_CASE("0.1 + 0.2 - 0.3: one rounding, and 51 bits are lost") {
+    Tape tape;
+    const Recorded a = Recorded::input(tape, 0.1, "a"), b = Recorded::input(tape, 0.2, "b");
+    const Recorded sum = a + b;
+    const Recorded difference = sum - Recorded::input(tape, 0.3, "c");
+    const std::vector<Checked> checked = replay(tape);
+    const Checked& last = checked[difference.step()];
+    CHECK(last.value == 0x1p-54);
+    CHECK(last.truth == 0x1p-55);
+    CHECK(last.distance == 0x1p-55);
+    CHECK(last.error >= last.distance);
+    CHECK(last.error <= 8 * last.distance);
+    CHECK(last.known == Known::exactly);
+    CHECK(last.bits_lost == doctest::Approx(51).epsilon(1e-9));
+    CHECK(checked[sum.step()].bits_lost < 1);
+    CHECK(checked[a.step()].bits_lost == 0);
+    CHECK(checked[a.step()].error == 0);
+}
+
+TEST_CASE("one root is exact, a root of a root is a long float, and a division by 0 is nothing") {
+    Tape tape;
+    const Recorded two = Recorded::input(tape, 2, "two"), zero = Recorded::input(tape, 0, "zero");
+    const Recorded root = sqrt(two), nested = sqrt(1 + root), none = two / zero, square = root * root - two;
+    const std::vector<Checked> checked = replay(tape);
+    CHECK(checked[root.step()].known == Known::exactly);
+    CHECK(checked[nested.step()].known == Known::to_long_float);
+    CHECK_ULPS(checked[nested.step()].truth, 1.5537739740300374, 1.0);  // √(1 + √2)
+    CHECK(checked[none.step()].known == Known::not_at_all);
+    CHECK(std::isinf(checked[none.step()].error));
+    CHECK(checked[square.step()].value != 0);
+    CHECK(checked[square.step()].truth == 0);
+    CHECK(checked[square.step()].sign == 0);
+    CHECK(checked[square.step()].bits_lost > 50);
+}
+
+TEST_CASE("powers: within bounds, whatever is not known of the base") {
+    Tape tape;
+    const Recorded third = Recorded::input(tape, 1, "1") / 3;
+    const Recorded power = pow(third, 15);  // 3^-15 = 1/14348907
+    const std::vector<Checked> checked = replay(tape);
+    CHECK_ULPS(checked[power.step()].truth, 1.0 / 14348907, 1.0);
+    CHECK(checked[power.step()].distance <= checked[power.step()].error);
+    CHECK(checked[power.step()].error < 1e-20);
+}
+
+TEST_CASE("whether a comparison truly holds, and whether the bounds know it") {
+    Tape tape;
+    const Recorded sum = Recorded::input(tape, 0.1, "a") + Recorded::input(tape, 0x1p-60, "tiny");
+    CHECK_FALSE(sum > 0.1);
+    CHECK(sum > 0.05);
+    const std::vector<Checked> checked = replay(tape);
+    std::vector<Checked> comparisons;
+    for (std::size_t i = 0; i < checked.size(); ++i)
+        if (is_comparison(tape.steps()[i].operation)) comparisons.push_back(checked[i]);
+    REQUIRE(comparisons.size() == 2);
+    CHECK(comparisons[0].value == 0);
+    CHECK(comparisons[0].truth == 1);
+    CHECK(comparisons[0].error == 1);
+    CHECK(comparisons[1].truth == 1);
+    CHECK(comparisons[1].error == 0);
+}
+
+TEST_CASE("bounds hold on every step of the core's formulas") {
+    std::mt19937_64 random(1105);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    const auto vector = [&](double size) {
+        return Vec3<double>{size * coordinate(random), size * coordinate(random), size * coordinate(random)};
+    };
+    const Silent silent;
+    for (int i = 0; i < 40; ++i) {
+        Tape tape;
+        const double size = std::ldexp(1.0, 8 * (i % 5) - 16);
+        const Ray<Recorded> ray{input(tape, vector(size), "P"), input(tape, vector(1), "D")};
+        const Sphere<Recorded> sphere{input(tape, vector(1), "c"), Recorded::input(tape, 0.5, "r")};
+        const Crossing<Recorded> crossing = intersect(ray, sphere, Stable{}, silent);
+        intersect(ray, sphere, Textbook{}, silent);
+        const Triangle<Recorded> triangle{input(tape, vector(1), "A"), input(tape, vector(1), "B"),
+                                          input(tape, vector(size), "C")};
+        intersect(ray, triangle, Pluecker{}, silent);
+        intersect(ray, triangle, Tolerance{}, silent);
+        intersect(ray, triangle, MoellerTrumbore{}, silent);
+        const Vec3<Recorded> n = crossing.met ? normal(sphere, at(ray, crossing.t)) : normal(triangle);
+        const Shading<Recorded> shading{ShadingModel::blinn_phong, .2, 1, .2, 15, {255, 102, 102}, {255, 255, 255}};
+        const Light<Recorded> light = directional_light(input(tape, vector(100), "L"), 1);
+        shade(n, unit(-ray.D), {10, 200, 30}, light, shading, silent);
+        check_bounds(tape);
+    }
+}
