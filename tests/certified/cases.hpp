@@ -203,8 +203,9 @@ inline std::vector<Case> meshes() {
                     const double scale = on_grid ? std::ldexp(1, magnitude * 10 / 3) : std::pow(10, magnitude);
                     const Shapes::Shape there = placed(shape, scale, sizes_away, on_grid);
                     Rays rays(++seed);
-                    Case c{there.name + " of size " + std::to_string(magnitude) + " digits, " +
-                               std::to_string(sizes_away) + " sizes away" + (on_grid ? ", on a grid" : ""),
+                    Case c{there.name + " of size 1e" + std::to_string(magnitude) + ", " +
+                               std::to_string(static_cast<int>(sizes_away)) + " sizes away" +
+                               (on_grid ? ", on a grid" : ""),
                            scene_of(there),
                            {}};
                     for (int i = 0; i < 400 / share; ++i) {
@@ -219,14 +220,15 @@ inline std::vector<Case> meshes() {
 }
 
 /// Kettner et al., "Classroom examples of robustness problems in geometric computations" (2008): starts one ulp apart.
-inline std::vector<Ray<double>> grid_of_starts(const Ray<double>& first, double Point::*across, double Point::*up) {
-    constexpr int side = 256, step = share;
+inline std::vector<Ray<double>> grid_of_starts(const Ray<double>& first, double Point::*across, double Point::*up,
+                                               int step) {
+    constexpr int side = 256;
     std::vector<Ray<double>> rays;
     const auto ulp = [](double x) {
         return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
     };
     for (int i = 0; i < side; i += step)
-        for (int j = 0; j < side; j += step) {
+        for (int j = 0; j < side; j += share) {
             Ray<double> ray = first;
             ray.P.*across += (i - side / 2) * ulp(ray.P.*across);
             ray.P.*up += (j - side / 2) * ulp(ray.P.*up);
@@ -249,14 +251,15 @@ inline std::vector<Case> grids() {
     ball.spheres = {{{0.1, 0.2, 0.3}, 1.7, {}}};
     const Point on_it{0.1 + 1.7 * 0.6, 0.2 + 1.7 * 0.8, 0.3};
     return {
-        {"a diagonal, from above", flat, grid_of_starts({{0.5, 0.5, 10}, {0, 0, -1}}, &Point::x, &Point::y)},
-        {"a diagonal, aslant", tilted, grid_of_starts({Q - 10.0 * D, D}, &Point::x, &Point::y)},
+        {"a diagonal, from above", flat, grid_of_starts({{0.5, 0.5, 10}, {0, 0, -1}}, &Point::x, &Point::y, 1)},
+        {"a diagonal, aslant", tilted, grid_of_starts({Q - 10.0 * D, D}, &Point::x, &Point::y, 2)},
         {"starts on a face, aslant", tilted,
-         grid_of_starts({Q + 0.1 * (Point{13.7, 27.1, 1.9} - Q), D}, &Point::x, &Point::z)},
-        {"starts on a sphere, inwards", ball, grid_of_starts({on_it, {-0.3, -0.5, 0.2}}, &Point::x, &Point::y)},
-        {"starts on a sphere, outwards", ball, grid_of_starts({on_it, {0.3, 0.5, 0.2}}, &Point::x, &Point::y)},
-        {"tangents", ball, grid_of_starts({on_it - 3.0 * Point{-0.8, 0.6, 0}, {-0.8, 0.6, 0}}, &Point::x, &Point::y)},
-        {"tangents, aslant", ball, grid_of_starts({{on_it.x, on_it.y, -4}, {0, 0, 1}}, &Point::x, &Point::y)},
+         grid_of_starts({Q + 0.1 * (Point{13.7, 27.1, 1.9} - Q), D}, &Point::x, &Point::z, 2)},
+        {"starts on a sphere, inwards", ball, grid_of_starts({on_it, {-0.3, -0.5, 0.2}}, &Point::x, &Point::y, 2)},
+        {"starts on a sphere, outwards", ball, grid_of_starts({on_it, {0.3, 0.5, 0.2}}, &Point::x, &Point::y, 2)},
+        {"tangents", ball,
+         grid_of_starts({on_it - 3.0 * Point{-0.8, 0.6, 0}, {-0.8, 0.6, 0}}, &Point::x, &Point::y, 2)},
+        {"tangents, aslant", ball, grid_of_starts({{on_it.x, on_it.y, -4}, {0, 0, 1}}, &Point::x, &Point::y, 2)},
     };
 }
 
@@ -380,8 +383,8 @@ inline std::vector<Case> spheres() {
                                   {0x1p-300, 0x1p-200},
                                   {0x1p500, 0x1p501},
                                   {0x1.8p600, 0x1p603}}) {
-        Case c{"a sphere of radius " + std::to_string(std::log10(r)) + " digits, " + std::to_string(away / r) +
-                   " radii away",
+        Case c{"a sphere of radius 2^" + std::to_string(std::ilogb(r)) + ", 2^" + std::to_string(std::ilogb(away)) +
+                   " away",
                {},
                {}};
         const Point centre = away * odd_direction;
@@ -438,7 +441,7 @@ inline std::vector<Case> magnitudes() {
                 const Shapes::Shape there = placed(shape, scale, on_grid ? 0 : 1, on_grid);
                 Case c{there.name + " of size 2^" + std::to_string(size), scene_of(there), {}};
                 Rays rays(++seed);
-                for (int i = 0; i < 1000 / share; ++i) {
+                for (int i = 0; i < 600 / share; ++i) {
                     const Point Q = rays.on_a_face(there);
                     Ray<double> ray =
                         on_grid && i % 2 == 0 ? rays.exactly_through(Q, scale * 0x1p-20) : rays.towards(Q, scale);
@@ -452,6 +455,44 @@ inline std::vector<Case> magnitudes() {
             }
         }
     return cases;
+}
+
+/// All sizes in one scene, and one ray after another that only one of them is made for.
+inline Case all_sizes() {
+    Case c{"all sizes in one scene", {}, {}};
+    Rays rays(700);
+    for (int i = 0; i < 2000 / share; ++i) {
+        const double scale = std::ldexp(1, static_cast<int>(rays.random.below(1100)) - 550);
+        const Shapes::Shape there = placed(Shapes::tetrahedron(), scale, 0, i % 2 == 0);
+        if (i < 6) {
+            c.scene.meshes.push_back({there.vertices, there.faces, {}});
+            c.scene.spheres.push_back({scale * rays.anywhere(), 0.3 * scale, {}});
+        }
+        Ray<double> ray = rays.towards(rays.on_a_face(there), scale);
+        const Mesh& mesh = c.scene.meshes[rays.random.below(c.scene.meshes.size())];
+        if (i % 4 == 0) ray.D = mesh.vertices[rays.random.below(4)] - ray.P;
+        if (i % 4 == 1) ray = {-1.0 * mesh.vertices[0], 0.5 * mesh.vertices[1] + 1.5 * mesh.vertices[0]};
+        c.rays.push_back(ray);
+    }
+    rays.spoil(c.rays);
+    return c;
+}
+
+/// Nothing special: triangles and spheres of about size 1 thrown into a box, rays from anywhere to anywhere.
+inline Case anything() {
+    Case c{"triangles and spheres in a box", {}, {}};
+    Rays rays(800);
+    for (int i = 0; i < 12; ++i) {
+        const Point at = 3.0 * rays.anywhere();
+        c.scene.triangles.push_back({{at + rays.anywhere(), at + rays.anywhere(), at + rays.anywhere()}, {}});
+        if (i % 3 == 0) c.scene.spheres.push_back({3.0 * rays.anywhere(), 0.2 + rays.random.fraction(), {}});
+    }
+    for (int i = 0; i < 450'000 / share; ++i) {
+        const Point P = 5.0 * rays.anywhere();
+        c.rays.push_back({P, 3.0 * rays.anywhere() - P});
+    }
+    rays.spoil(c.rays);
+    return c;
 }
 
 }  // namespace glassbox::test

@@ -4,7 +4,7 @@
 #include <doctest.h>
 
 using namespace glassbox;
-using oracle::Answer, oracle::compare, oracle::distance, oracle::Long, oracle::Oracle;
+using oracle::Answer, oracle::compare, oracle::Oracle, oracle::sum;
 
 namespace {
 
@@ -19,7 +19,7 @@ Scene simple_scene() {
 Answer ask(const Ray<double>& ray) { return Oracle(simple_scene())(ray); }
 
 bool is_met_at(const Answer& answer, std::size_t surface, double t) {
-    return answer.first && answer.first->surface == surface && compare(answer.first->t, distance(Long(t))) == 0;
+    return answer.first && answer.first->surface == surface && compare(answer.first->t, sum({t})) == 0;
 }
 
 constexpr Vec3<double> down{0, 0, -1};
@@ -44,7 +44,7 @@ TEST_CASE("a root that no double can say: √(25 − 1) from (1, 0, 0) along z")
     const Answer answer = ask({{1, 0, 0}, {0, 0, 1}});
     REQUIRE(answer.first);
     const double root = std::sqrt(24.0);  // rounded: its square is not 24
-    CHECK(compare(answer.first->t, distance(Long(root))) == (std::fma(root, root, -24.0) < 0 ? 1 : -1));
+    CHECK(compare(answer.first->t, sum({root})) == (std::fma(root, root, -24.0) < 0 ? 1 : -1));
     // The same root as √6 in steps of 2, from another start.
     const Answer twice = ask({{0, 1, 0}, {0, 0, 2}});
     REQUIRE(twice.first);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -21,10 +23,10 @@ namespace glassbox::oracle {
 namespace mp = boost::multiprecision;
 
 using Whole =
-    mp::number<mp::cpp_int_backend<1024, 0, mp::signed_magnitude, mp::unchecked, std::allocator<mp::limb_type>>,
+    mp::number<mp::cpp_int_backend<512, 0, mp::signed_magnitude, mp::unchecked, std::allocator<mp::limb_type>>,
                mp::et_off>;
-/// For telling sizes: 512 bits, and exponents that neither overflow nor underflow.
-using Long = mp::number<mp::cpp_bin_float<512, mp::digit_base_2, void, std::int64_t>, mp::et_off>;
+/// For telling sizes: 256 bits, and exponents that neither overflow nor underflow.
+using Long = mp::number<mp::cpp_bin_float<256, mp::digit_base_2, void, std::int64_t>, mp::et_off>;
 
 struct Vector {
     Whole x, y, z;
@@ -43,10 +45,8 @@ inline Whole det(const Vector& a, const Vector& b, const Vector& c) {
 inline int last_bit(double x) {
     if (x == 0) return 4096;
     int exponent = 0;
-    auto bits = static_cast<long long>(std::ldexp(std::frexp(x, &exponent), 53));
-    exponent -= 53;
-    for (; bits % 2 == 0; bits /= 2) ++exponent;
-    return exponent;
+    const auto bits = static_cast<std::uint64_t>(std::ldexp(std::abs(std::frexp(x, &exponent)), 53));
+    return exponent - 53 + std::countr_zero(bits);
 }
 
 inline int last_bit(const Vec3<double>& v) { return std::min({last_bit(v.x), last_bit(v.y), last_bit(v.z)}); }
@@ -65,7 +65,7 @@ struct Distance {
     Whole n, m = 1, d;
     int s = 0;
     long exponent = 0;
-    Long size;  ///< the same, to 500 bits or more
+    Long size;  ///< the same, to 250 bits or more
 };
 
 /// The sign of a + b√d.
@@ -85,21 +85,21 @@ inline int sign(const Whole& a, const Whole& b, const Whole& d, const Whole& c, 
 /// The sign of a − b. Both belong to one ray, or to none: their exponents may differ.
 inline int compare(const Distance& a, const Distance& b) {
     const Long gap = a.size - b.size;
-    if (abs(gap) > ldexp(abs(a.size) + abs(b.size), -480)) return gap < 0 ? -1 : 1;
+    if (abs(gap) > ldexp(abs(a.size) + abs(b.size), -240)) return gap < 0 ? -1 : 1;
     const auto low = std::min(a.exponent, b.exponent);
     const Whole by_a = b.m << static_cast<unsigned long>(a.exponent - low);
     const Whole by_b = a.m << static_cast<unsigned long>(b.exponent - low);
     return sign(a.n * by_a - b.n * by_b, a.s * by_a, a.d, -b.s * by_b, b.d);
 }
 
-/// x as a distance.
-inline Distance distance(const Long& x) {
-    if (x == 0) return {};
+/// The sum of some doubles as a distance.
+inline Distance sum(std::initializer_list<double> terms) {
+    int unit = 0;
+    for (const double term : terms) unit = std::min(unit, last_bit(term));
     Distance result;
-    int64_t exponent = 0;
-    result.n = Whole(ldexp(frexp(x, &exponent), 600));
-    result.exponent = static_cast<long>(exponent) - 600;
-    result.size = x;
+    for (const double term : terms) result.n += whole(term, unit);
+    result.exponent = unit;
+    result.size = ldexp(Long(result.n), unit);
     return result;
 }
 
@@ -119,7 +119,7 @@ struct Answer {
 class Oracle {
 public:
     explicit Oracle(const Scene& scene) {
-        for (const ColoredSphere& sphere : scene.spheres) spheres_.push_back({sphere.center, sphere.radius});
+        for (const ColoredSphere& sphere : scene.spheres) add(sphere.center, sphere.radius);
         for (const ColoredTriangle& triangle : scene.triangles) add(triangle.vertices);
         for (const Mesh& mesh : scene.meshes)
             for (const auto& face : mesh.faces)
@@ -136,27 +136,41 @@ public:
             const Meeting& meeting = answer.met.back();
             if (!answer.first || compare(meeting.t, answer.first->t) <= 0) answer.first = meeting;
         };
-        for (std::size_t i = 0; i < spheres_.size(); ++i) consider(i, t_of(spheres_[i], ray));
-        for (std::size_t i = 0; i < triangles_.size(); ++i)
-            if (may_meet(triangles_[i], ray)) consider(spheres_.size() + i, t_of(triangles_[i], ray));
+        std::size_t surface = 0;
+        for (const Sphere& sphere : spheres_) {
+            if (may_meet(sphere.around, ray)) consider(surface, t_of(sphere, ray));
+            ++surface;
+        }
+        for (const Triangle& triangle : triangles_) {
+            if (may_meet(triangle.around, ray)) consider(surface, t_of(triangle, ray));
+            ++surface;
+        }
         return answer;
     }
 
 private:
+    /// Some surface lies within `reach` of `middle`.
     struct Ball {
-        Vec3<double> c;
-        double r;
+        std::array<long double, 3> middle;
+        long double reach;
     };
 
-    struct Corners {
+    struct Sphere {
+        Vec3<double> c;
+        double r;
+        Ball around;
+    };
+
+    struct Triangle {
         std::array<Vec3<double>, 3> at;
-        std::array<long double, 3> middle;
-        long double reach;  ///< all of it is within this distance of the middle
+        Ball around;
     };
 
     static bool is_number(const Vec3<double>& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     }
+
+    void add(const Vec3<double>& c, double r) { spheres_.push_back({c, r, {{c.x, c.y, c.z}, r}}); }
 
     void add(const std::array<Vec3<double>, 3>& at) {
         const auto mean = [](long double a, long double b, long double c) { return a / 3 + b / 3 + c / 3; };
@@ -165,13 +179,13 @@ private:
         long double reach = 0;
         for (const Vec3<double>& v : at)
             reach = std::max(reach, std::hypot(v.x - middle[0], v.y - middle[1], v.z - middle[2]));
-        triangles_.push_back({at, middle, reach});
+        triangles_.push_back({at, {middle, reach}});
     }
 
-    /// False only if the ray's line passes the triangle by far: by 10⁻⁹ of all coordinates, where rounding matters to
+    /// False only if the ray's line passes the ball by far: by 10⁻⁹ of all coordinates, where rounding matters to
     /// less than 10⁻¹⁵ of them. Should anything overflow, it answers true.
-    static bool may_meet(const Corners& triangle, const Ray<double>& ray) {
-        const auto& [x, y, z] = triangle.middle;
+    static bool may_meet(const Ball& ball, const Ray<double>& ray) {
+        const auto& [x, y, z] = ball.middle;
         const long double dx = ray.D.x, dy = ray.D.y, dz = ray.D.z;
         const long double px = x - ray.P.x, py = y - ray.P.y, pz = z - ray.P.z;
         const long double cx = py * dz - pz * dy, cy = pz * dx - px * dz, cz = px * dy - py * dx;
@@ -179,12 +193,12 @@ private:
             return std::abs(a) + std::abs(b) + std::abs(c);
         };
         const long double margin = 1e-9L * (size(x, y, z) + size(ray.P.x, ray.P.y, ray.P.z));
-        const long double far = triangle.reach * 1.000001L + margin;
+        const long double far = ball.reach * 1.000001L + margin;
         return !(cx * cx + cy * cy + cz * cz > far * far * (dx * dx + dy * dy + dz * dz) * 1.000001L);
     }
 
     /// P + tD = A + u(B − A) + v(C − A), by Cramer's rule: inside where u, v ≥ 0 and u + v ≤ 1.
-    static std::optional<Distance> t_of(const Corners& triangle, const Ray<double>& ray) {
+    static std::optional<Distance> t_of(const Triangle& triangle, const Ray<double>& ray) {
         const auto& corner = triangle.at;
         const int unit = std::min({last_bit(corner[0]), last_bit(corner[1]), last_bit(corner[2]), last_bit(ray.P)});
         const int unit_of_D = last_bit(ray.D);
@@ -206,7 +220,7 @@ private:
     }
 
     /// With f = P − c: (D·D) t² + 2 (f·D) t + f·f − r² = 0. Which root counts follows from the coefficients' signs.
-    static std::optional<Distance> t_of(const Ball& sphere, const Ray<double>& ray) {
+    static std::optional<Distance> t_of(const Sphere& sphere, const Ray<double>& ray) {
         const int unit = std::min({last_bit(sphere.c), last_bit(sphere.r), last_bit(ray.P)});
         const int unit_of_D = last_bit(ray.D);
         const Vector D = whole(ray.D, unit_of_D), f = whole(ray.P, unit) - whole(sphere.c, unit);
@@ -227,8 +241,8 @@ private:
         return Distance{-b, a, quarter, s, exponent, ldexp(size, exponent)};
     }
 
-    std::vector<Ball> spheres_;
-    std::vector<Corners> triangles_;
+    std::vector<Sphere> spheres_;
+    std::vector<Triangle> triangles_;
 };
 
 }  // namespace glassbox::oracle
