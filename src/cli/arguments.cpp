@@ -61,7 +61,8 @@ void add_shading_options(CLI::App& command, Request& request) {
 
 void add_computing_options(CLI::App& command, Request& request) {
     const Heading computing{command, "How it is computed"};
-    computing.add("--scalar", "S", "what the formulas run in: float, double or long-double (default: double)",
+    computing.add("--scalar", "S",
+                  "what the formulas run in: certified, exact, float, double or long-double (default: double)",
                   [&](auto name, Typed typed) { request.options.scalar = chosen(name, typed, scalars); });
     computing.add("--triangle", "RULE",
                   "when a triangle is hit: pluecker, tolerance[:10.0] or moeller-trumbore (default: pluecker)",
