@@ -204,7 +204,9 @@ Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth) 
     else if (truth->is_exact())
         result.distance = std::abs(static_cast<double>((truth->exact() - Exact(step.value)).to_long()));
     else result.distance = std::abs(static_cast<double>(Long(number - step.value)));
-    result.bits_lost = is_comparison(step.operation) ? 0 : bits(result.distance, result.value);
+    if (is_comparison(step.operation)) return result;
+    // A truth too small for a double is lost whole, though rounding its distance hides it.
+    result.bits_lost = step.value == 0 && result.sign != 0 ? all_bits : bits(result.distance, result.value);
     return result;
 }
 

@@ -33,6 +33,7 @@ enum class Fate {
     outside,           ///< a triangle that the line passes: side products of both signs
     edge_on,           ///< a triangle seen exactly edge-on, or without area: all side products are 0
     behind,            ///< the line meets it, at t ≤ 0
+    overflow,          ///< a number that decides is not finite: too large for the scalar
     beyond_tolerance,  ///< the tolerance rule refused it
     refused,           ///< the rule or the scalar refused it for reasons of its own
 };

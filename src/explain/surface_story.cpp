@@ -1,6 +1,7 @@
 #include "explain/surface_story.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "explain/heard.hpp"
@@ -114,15 +115,22 @@ int deciding_sign(const Number& number, const Options& options) {
     return number.value > 0 ? 1 : number.value < 0 ? -1 : 0;
 }
 
+/// Whether a number that decides was lost to overflow; what is proven does not stand on it.
+bool is_lost(const Number& number, const Options& options) {
+    return !is_proven(options.scalar) && !std::isfinite(number.value);
+}
+
 /// Why a sphere was missed.
 Fate why_missed(const SphereTest& test, const Options& options) {
     const RootPair& roots = std::holds_alternative<Textbook>(options.sphere_rule) ? test.textbook : test.stable;
+    if (is_lost(roots.discriminant, options)) return Fate::overflow;
     if (deciding_sign(roots.discriminant, options) < 0) return Fate::apart;
     return roots.t1 && deciding_sign(*roots.t1, options) <= 0 ? Fate::behind : Fate::refused;
 }
 
 /// Why a triangle was missed; `t` is where the line meets its plane, if that was asked.
 Fate why_missed(const TriangleTest& test, const std::optional<Number>& t, const Options& options) {
+    if (is_lost(test.a, options) || is_lost(test.b, options) || is_lost(test.c, options)) return Fate::overflow;
     if (std::holds_alternative<Tolerance>(options.triangle_rule)) {
         if (!(test.deficit.value < test.tolerance)) return Fate::beyond_tolerance;
     } else {
@@ -132,6 +140,7 @@ Fate why_missed(const TriangleTest& test, const std::optional<Number>& t, const 
         if (least == 0 && most == 0) return Fate::edge_on;
     }
     if (deciding_sign(test.sum, options) == 0) return Fate::edge_on;
+    if (t && is_lost(*t, options)) return Fate::overflow;
     return t && deciding_sign(*t, options) <= 0 ? Fate::behind : Fate::refused;
 }
 

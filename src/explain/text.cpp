@@ -52,6 +52,8 @@ std::string why(const Surface& surface, const Story& story) {
             return "missed: all side products are 0, it is seen edge-on or has no area";
         case Fate::behind:
             return fmt::format("missed: behind the start, {} is not > 0", t());
+        case Fate::overflow:
+            return "missed: a number that decides has grown beyond all doubles";
         case Fate::beyond_tolerance:
             return "missed: the difference is not under the tolerance";
         case Fate::refused:

@@ -81,6 +81,8 @@ std::string_view word(story::Fate fate) {
             return "edge-on";
         case Fate::behind:
             return "behind";
+        case Fate::overflow:
+            return "overflow";
         case Fate::beyond_tolerance:
             return "beyond tolerance";
         case Fate::refused:

@@ -154,6 +154,33 @@ TEST_CASE("surfaces behind the start are missed, and it says so") {
     CHECK(corner.surfaces[2].t->value == -200);
 }
 
+// Side products of 1e400 are beyond all doubles: a double's verdict is lost, and the story says why.
+TEST_CASE("numbers beyond all doubles") {
+    Scene scene = read_scene(SCENES "/levental-2014.toml");
+    scene.spheres.clear();
+    scene.triangles = {{{Vec3<double>{0, 0, 0}, {0, 1e200, 0}, {0, 0, 1e200}}, {1, 2, 3}}};
+    Options options;
+    options.scalar = Scalar::double_;
+    const Story in_double = explain(scene, options, 300, 200);
+    CHECK(in_double.surfaces.at(0).fate == Fate::overflow);
+    options.scalar = Scalar::certified;
+    const Story certified = explain(scene, options, 300, 200);
+    CHECK(certified.surfaces.at(0).fate == Fate::nearest);
+    CHECK(certified.surfaces.at(0).needed_exact);
+    CHECK(certified.hit->t_by_exact);
+    CHECK(certified.hit->t.value == 500);
+}
+
+// The far sphere's Δ = r² = 1e-360 is no double: what is left of it is 0, and no bit of that is right.
+TEST_CASE("numbers below all doubles") {
+    Scene scene = read_scene(SCENES "/levental-2014.toml");
+    scene.spheres = {{{0, 250, 250}, 1e-180, {1, 2, 3}}};
+    const Story story = explain(scene, {}, 250, 249);
+    CHECK(sphere(story, 0).stable.discriminant.value == 0);
+    CHECK(sphere(story, 0).stable.discriminant.sign == 1);
+    CHECK(sphere(story, 0).stable.discriminant.bits_lost == 53);
+}
+
 TEST_CASE("stage 1 has a ray and no surfaces; stages 2 and 3 have no shading") {
     Options options;
     options.stage = 1;
