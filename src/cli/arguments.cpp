@@ -62,7 +62,7 @@ void add_shading_options(CLI::App& command, Request& request) {
 void add_computing_options(CLI::App& command, Request& request) {
     const Heading computing{command, "How it is computed"};
     computing.add("--scalar", "S",
-                  "what the formulas run in: certified, exact, float, double or long-double (default: double)",
+                  "what the formulas run in: certified, exact, float, double or long-double (default: certified)",
                   [&](auto name, Typed typed) { request.options.scalar = chosen(name, typed, scalars); });
     computing.add("--triangle", "RULE",
                   "when a triangle is hit: pluecker, tolerance[:10.0] or moeller-trumbore (default: pluecker)",

@@ -21,7 +21,7 @@ using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;
 struct Options {
     int stage = 5;                    ///< 1 rays, 2 + spheres, 3 + triangles, 4 + shading, 5 + turns
     std::vector<Turn<double>> turns;  ///< of the view, about the scene's pivot, in this order
-    Scalar scalar = Scalar::double_;
+    Scalar scalar = Scalar::certified;
     SphereRule sphere_rule;
     TriangleRule triangle_rule;
 };
