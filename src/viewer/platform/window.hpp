@@ -1,0 +1,44 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "viewer/platform/input.hpp"
+
+namespace glassbox {
+
+/// What a platform shows: draws one frame with Dear ImGui, and says how long the frame may stand if nothing happens:
+/// 0 asks for the next one at once, infinity for none until an event comes.
+using DrawFrame = std::function<double(const Input&)>;
+
+struct WindowSize {
+    int width = 1280, height = 800;
+};
+
+/// A window of the system's, with an OpenGL 3.3 context and a Dear ImGui context, both made by the constructor and
+/// current from then on. Throws Error where there is no display or no OpenGL 3.3, and says what to do instead.
+class Window {
+public:
+    Window(const std::string& title, WindowSize size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Factor by which the display wants everything larger.
+    float scale() const;
+    WindowSize size() const;
+
+    /// Draws until the user closes the window, at most 60 frames a second, and none while nothing happens.
+    void run(const DrawFrame& draw);
+
+    void set_title(const std::string& title);
+
+    /// Ends a wait for events; from any thread.
+    static void wake();
+
+private:
+    struct Platform;
+    std::unique_ptr<Platform> platform_;
+};
+
+}  // namespace glassbox
