@@ -24,6 +24,8 @@ struct Options {
     Scalar scalar = Scalar::certified;
     SphereRule sphere_rule;
     TriangleRule triangle_rule;
+
+    bool operator==(const Options&) const = default;
 };
 
 }  // namespace glassbox

@@ -35,6 +35,8 @@ struct Roots {
 /// The roots as school teaches them, t = (−v·D ± √((v·D)² − D²(v² − r²))) / D², v = P − c. The paper's formula (its
 /// section 1.1.1, for |D| = 1). Loses the sphere when it is small and far away: v² and r² differ too much in size.
 struct Textbook {
+    constexpr bool operator==(const Textbook&) const = default;
+
     template <class Real, class Probe>
     constexpr Roots<Real> operator()(const Ray<Real>& ray, const Sphere<Real>& sphere, Probe& probe) const {
         using std::sqrt;
@@ -56,6 +58,8 @@ struct Textbook {
 /// Ray Tracing Gems (2019), chapter 7: l is the vector from the line to the centre, so r² − l² compares two lengths at
 /// the sphere, wherever the ray starts; and q adds two numbers of one sign.
 struct Stable {
+    constexpr bool operator==(const Stable&) const = default;
+
     template <class Real, class Probe>
     constexpr Roots<Real> operator()(const Ray<Real>& ray, const Sphere<Real>& sphere, Probe& probe) const {
         using std::sqrt;

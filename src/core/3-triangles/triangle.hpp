@@ -64,6 +64,8 @@ constexpr Real plane_t(const Vec3<Real>& D, const Triangle<Real>& triangle, cons
 /// The paper's test (its section 1.1.2): all three side products ≥ 0 or all ≤ 0, and not all 0. Edges and vertices
 /// belong to the triangle; one seen edge-on, or without area, has three zeros and is never hit.
 struct Pluecker {
+    constexpr bool operator==(const Pluecker&) const = default;
+
     template <class Real, class Probe>
     constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
         const Vec3<Real> D = ray.D;
@@ -89,6 +91,8 @@ struct Pluecker {
 struct Tolerance {
     double tolerance = 10.0;
 
+    constexpr bool operator==(const Tolerance&) const = default;
+
     template <class Real, class Probe>
     constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
         using std::abs;
@@ -111,6 +115,8 @@ struct Tolerance {
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), without culling: solves
 /// P + tD = A + u(B − A) + v(C − A) by Cramer's rule. Two triangles at one edge do not see opposite numbers here.
 struct MoellerTrumbore {
+    constexpr bool operator==(const MoellerTrumbore&) const = default;
+
     template <class Real, class Probe>
     constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe&) const {
         const auto& [A, B, C] = triangle;

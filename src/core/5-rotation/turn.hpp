@@ -14,6 +14,8 @@ template <class Real>
 struct Turn {
     Axis axis;
     Real degrees;
+
+    constexpr bool operator==(const Turn&) const = default;
 };
 
 /// A rotation: where it takes the unit vectors of the three axes (the columns of its matrix).

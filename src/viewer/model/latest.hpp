@@ -1,0 +1,112 @@
+#pragma once
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "render/job.hpp"
+
+namespace glassbox {
+
+/// Work in the background of which only the newest counts: what is asked for while something runs stops that, and takes
+/// its place. Results may come in several versions, each better than the one before.
+template <class Result>
+class Latest {
+public:
+    using Deliver = std::function<void(Result)>;
+    /// Work gets a token that says when to stop, and hands over what it has by `deliver`.
+    using Work = std::function<void(const std::stop_token&, const Deliver& deliver)>;
+
+    /// `wake` is called, from the worker's thread, whenever there is something new.
+    explicit Latest(std::function<void()> wake)
+        : wake_(std::move(wake)), thread_([this](const std::stop_token& end) { run(end); }) {}
+
+    ~Latest() {
+        thread_.request_stop();
+        const std::lock_guard lock(mutex_);
+        current_.request_stop();
+    }
+
+    void ask(Work work) {
+        {
+            const std::lock_guard lock(mutex_);
+            next_ = std::move(work);
+            current_.request_stop();
+            result_.reset();
+        }
+        asked_.notify_one();
+    }
+
+    /// The newest result, once.
+    std::optional<Result> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(result_, std::nullopt);
+    }
+
+    /// Whether more may come.
+    bool busy() const {
+        const std::lock_guard lock(mutex_);
+        return working_ || next_;
+    }
+
+    /// What went wrong with the newest work; empty if nothing did.
+    std::string error() const {
+        const std::lock_guard lock(mutex_);
+        return error_;
+    }
+
+private:
+    void run(const std::stop_token& end) {
+        std::unique_lock lock(mutex_);
+        while (asked_.wait(lock, end, [&] { return next_.has_value(); })) {
+            const Work work = *std::exchange(next_, std::nullopt);
+            current_ = std::stop_source();
+            const std::stop_token token = current_.get_token();
+            working_ = true;
+            error_.clear();
+            lock.unlock();
+            const std::string error = attempt(work, token);
+            lock.lock();
+            working_ = false;
+            if (!token.stop_requested()) error_ = error;
+            lock.unlock();
+            wake_();
+            lock.lock();
+        }
+    }
+
+    std::string attempt(const Work& work, const std::stop_token& token) {
+        try {
+            work(token, [&](Result result) { deliver(std::move(result), token); });
+        } catch (const Cancelled&) {
+        } catch (const std::exception& error) {
+            return error.what();
+        }
+        return {};
+    }
+
+    void deliver(Result result, const std::stop_token& token) {
+        {
+            const std::lock_guard lock(mutex_);
+            if (token.stop_requested()) return;
+            result_ = std::move(result);
+        }
+        wake_();
+    }
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable_any asked_;
+    std::optional<Work> next_;
+    std::optional<Result> result_;
+    std::stop_source current_;
+    bool working_ = false;
+    std::string error_;
+    std::jthread thread_;  // last: it uses all the others
+};
+
+}  // namespace glassbox

@@ -1,0 +1,100 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "scene/scene.hpp"
+#include "viewer/model/history.hpp"
+#include "viewer/model/picture_view.hpp"
+#include "viewer/model/setup.hpp"
+
+namespace glassbox {
+
+/// What is laid over the picture, or beside it.
+struct Overlay {
+    std::string measurement;                          ///< its name; empty: none
+    double opacity = 1;
+    std::optional<std::pair<double, double>> range;   ///< of its colours; otherwise that of its values
+
+    bool operator==(const Overlay&) const = default;
+};
+
+/// What stands on the right of the split.
+enum class Beside {
+    nothing,     ///< one picture, the overlay over all of it
+    overlay,     ///< the overlay, on the right only
+    other,       ///< the same scene by another scalar and other rules
+    difference,  ///< where that picture differs from this
+};
+
+/// How the interface looks.
+struct Appearance {
+    bool dark = true;
+    float text_size = 18;  ///< pixels of a line, before the display's own scale
+
+    bool operator==(const Appearance&) const = default;
+};
+
+inline constexpr float least_text_size = 12, greatest_text_size = 48;
+
+/// The pages of the panel on the right.
+enum class Page { inspector, steps, overlay, controls };
+
+/// The space view's camera: looks at the scene's middle from this direction.
+struct Orbit {
+    double azimuth = -60, elevation = 25;  ///< degrees
+    double distance = 1;                   ///< 1: all of the scene is in sight
+
+    bool operator==(const Orbit&) const = default;
+};
+
+/// "Watch it trace": how many pixels of the picture have been shown, in the order of the paper's loops.
+struct Watching {
+    bool running = false;
+    double shown = 0;                 ///< pixels
+    double pixels_per_second = 20000;
+};
+
+/// Everything that the viewer's user has chosen and opened. The interface draws it, keys and scripts change it; what is
+/// computed from it is in Results.
+struct ViewerState {
+    std::filesystem::path file;
+    std::shared_ptr<const Scene> scene;  ///< as the file says it, the last time that it could be read; never null
+    std::string file_error;              ///< why the file cannot be read now; empty if it can
+    History<Setup> setup;
+
+    PictureView view;
+    bool fit = true;  ///< the picture is kept as large as fits
+    std::optional<Pixel> hovered, pinned, compared;
+
+    Overlay overlay;
+    Beside beside = Beside::nothing;
+    double split = 0.5;  ///< where the split is, from the picture area's left (0) to its right (1)
+    Options other;       ///< what `Beside::other` is computed by: its scalar and rules count
+
+    std::size_t step = 0;  ///< on the timeline of the pinned pixel
+    bool playing = false;
+    Watching watching;
+
+    Page page = Page::inspector;
+    bool space_shown = true;
+    Orbit orbit;
+    bool keys_shown = false;
+    Appearance appearance;
+};
+
+/// A state with the scene of a file opened. Throws Error if it cannot be read.
+ViewerState opened(const std::filesystem::path& file);
+
+/// The scene as the present setup has it.
+Scene present_scene(const ViewerState& state);
+
+/// Reads the file again: the new scene with the changes kept that the user made; on an error the last good one stays,
+/// and `file_error` says why.
+void reload(ViewerState& state);
+
+/// Opens another file, and forgets pins and changes. On an error all stays, and `file_error` says why.
+void open(ViewerState& state, const std::filesystem::path& file);
+
+}  // namespace glassbox
