@@ -10,6 +10,7 @@
 #include "cli/notes.hpp"
 #include "cli/typed.hpp"
 #include "explain/json.hpp"
+#include "explain/shell_word.hpp"
 #include "explain/text.hpp"
 
 namespace glassbox {
@@ -21,23 +22,12 @@ struct ExplainRequest : Request {
     bool json = false;
 };
 
-/// A word of a command line as a shell reads it back.
-std::string quoted(const std::string& word) {
-    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string result = "'";
-    for (const char c : word)
-        if (c == '\'') result += "'\\''";
-        else result += c;
-    return result + '\'';
-}
-
 /// The command line that asks for the same story.
 std::string again(const CLI::App& command, const ExplainRequest& request) {
-    std::string line = fmt::format("glassbox {} {}", command.get_name(), quoted(request.scene));
+    std::string line = fmt::format("glassbox {} {}", command.get_name(), shell_word(request.scene));
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || option->get_positional() || option->get_expected_max() == 0) continue;
-        line += fmt::format(" --{} {}", option->get_lnames().front(), quoted(option->results().front()));
+        line += fmt::format(" --{} {}", option->get_lnames().front(), shell_word(option->results().front()));
     }
     return line;
 }
