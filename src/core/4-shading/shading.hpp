@@ -27,7 +27,7 @@ struct Shading {
     Real exponent{};
     Vec3<Real> ambient_color, specular_color;
 
-    constexpr bool operator==(const Shading&) const = default;
+    bool operator==(const Shading&) const = default;
 };
 
 /// The light that leaves a point towards the viewer, term by term, each as red, green, blue from 0 to 255.
