@@ -1,8 +1,9 @@
 #pragma once
+#include <span>
 
 namespace glassbox {
 
 /// The embedded font file, DejaVu Sans, in TrueType format.
-const unsigned char* font_file();
+std::span<const unsigned char> font_file();
 
 }  // namespace glassbox

@@ -18,7 +18,7 @@ struct Font {
     float baseline;  // pixels below the line's top
 
     explicit Font(int size) {
-        stbtt_InitFont(&info, font_file(), 0);
+        stbtt_InitFont(&info, font_file().data(), 0);
         scale = stbtt_ScaleForPixelHeight(&info, static_cast<float>(size));
         int ascent = 0, descent = 0, gap = 0;
         stbtt_GetFontVMetrics(&info, &ascent, &descent, &gap);

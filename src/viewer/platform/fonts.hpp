@@ -3,8 +3,8 @@
 
 namespace glassbox {
 
-/// The fonts of the interface: DejaVu Sans, in which every sign of ours can be drawn (·, ×, −, √, ², ₀, ≥, ≤, ±, ε, Δ, …),
-/// and DejaVu Sans Mono for numbers and source.
+/// The fonts of the interface: DejaVu Sans, in which every sign of ours can be drawn (·, ×, −, √, ², ₀, ≥, ≤, ±, ε, Δ,
+/// …), and DejaVu Sans Mono for numbers and source.
 struct Fonts {
     ImFont* text = nullptr;
     ImFont* mono = nullptr;

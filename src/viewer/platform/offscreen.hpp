@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string>
 
 #include "render/image.hpp"
 #include "viewer/platform/input.hpp"
@@ -30,6 +31,7 @@ public:
 
     /// Messages of OpenGL's debug output since the start, of severity low and above: none where all is well.
     int complaints() const;
+    const std::string& last_complaint() const;
 
 private:
     struct Platform;

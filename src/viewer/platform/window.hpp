@@ -31,6 +31,9 @@ public:
     /// Draws until the user closes the window, at most 60 frames a second, and none while nothing happens.
     void run(const DrawFrame& draw);
 
+    /// Lets run() return after this frame, as if the user had closed the window.
+    void close();
+
     void set_title(const std::string& title);
 
     /// Ends a wait for events; from any thread.

@@ -1,0 +1,249 @@
+#include "viewer/platform/window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "scene/error.hpp"
+#include "viewer/platform/context.hpp"
+
+namespace glassbox {
+namespace {
+
+constexpr double shortest_frame = 1.0 / 60;  // seconds
+constexpr double longest_wait = 3600;
+constexpr int frames_to_settle = 3;  // after an event: Dear ImGui lays out by what it measured in the frame before
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text == nullptr ? "no reason was given" : text;
+}
+
+/// Between its making and its end GLFW can be used.
+struct Library {
+    Library() {
+        if (glfwInit() == GLFW_TRUE) return;
+        throw Error(
+            fmt::format("glassbox view: no display was found ({}): use --script or --screenshot, which need none, "
+                        "or xvfb-run",
+                        last_error()));
+    }
+    ~Library() { glfwTerminate(); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+};
+
+struct Destroy {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using Handle = std::unique_ptr<GLFWwindow, Destroy>;
+
+Handle make_window(const std::string& title, WindowSize size) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no other
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "glassbox");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "glassbox");
+    Handle window(glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr));
+    if (window != nullptr) return window;
+    throw Error(
+        fmt::format("glassbox view: this display has no OpenGL 3.3 ({}): try LIBGL_ALWAYS_SOFTWARE=1, or use "
+                    "--script or --screenshot",
+                    last_error()));
+}
+
+/// Dear ImGui's link to GLFW. Our callbacks must be there before: it calls them from its own.
+struct GuiInput {
+    explicit GuiInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
+    ~GuiInput() { ImGui_ImplGlfw_Shutdown(); }
+    GuiInput(const GuiInput&) = delete;
+    GuiInput& operator=(const GuiInput&) = delete;
+};
+
+/// Those of our keys that type nothing, and the space bar.
+std::optional<Key> named_key(int key) {
+    switch (key) {
+        case GLFW_KEY_LEFT:
+            return Key::left;
+        case GLFW_KEY_RIGHT:
+            return Key::right;
+        case GLFW_KEY_UP:
+            return Key::up;
+        case GLFW_KEY_DOWN:
+            return Key::down;
+        case GLFW_KEY_ESCAPE:
+            return Key::escape;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            return Key::enter;
+        case GLFW_KEY_SPACE:
+            return Key::space;
+        case GLFW_KEY_HOME:
+            return Key::home;
+        case GLFW_KEY_END:
+            return Key::end;
+        case GLFW_KEY_PAGE_UP:
+            return Key::page_up;
+        case GLFW_KEY_PAGE_DOWN:
+            return Key::page_down;
+        default:
+            return std::nullopt;
+    }
+}
+
+char32_t in_lower_case(char32_t c) { return c >= U'A' && c <= U'Z' ? c + (U'a' - U'A') : c; }
+
+/// What a key types in the user's layout; in one without Latin letters what it types in the American, so that Ctrl+Z is
+/// there, too. 0 for a key that types nothing.
+char32_t typed_by(int key, int scancode) {
+    const char* name = glfwGetKeyName(key, scancode);
+    const bool latin = name != nullptr && static_cast<unsigned char>(name[0]) < 0x80 && name[1] == '\0';
+    if (latin) return in_lower_case(static_cast<unsigned char>(name[0]));
+    return key > GLFW_KEY_SPACE && key < 0x80 ? in_lower_case(static_cast<char32_t>(key)) : 0;
+}
+
+}  // namespace
+
+struct Window::Platform {
+    Library library;
+    Handle window;
+    std::optional<GuiContext> gui;
+    std::optional<GuiInput> gui_input;
+
+    std::vector<KeyPress> keys;  // since the last frame
+    int modifiers = 0;           // of the key pressed last, whose character comes next
+    bool stirred = true;         // something happened since the last frame
+    double start = 0;
+
+    Platform(const std::string& title, WindowSize size) : window(make_window(title, size)) {
+        glfwMakeContextCurrent(window.get());
+        glfwSwapInterval(1);
+        glfwSetWindowUserPointer(window.get(), this);
+        listen();
+        gui.emplace();
+        gui_input.emplace(window.get());
+        start = glfwGetTime();
+    }
+
+    static Platform& of(GLFWwindow* window) { return *static_cast<Platform*>(glfwGetWindowUserPointer(window)); }
+
+    void listen() {
+        GLFWwindow* w = window.get();
+        glfwSetKeyCallback(w, [](GLFWwindow* from, int key, int scancode, int action, int mods) {
+            of(from).on_key(key, scancode, action, mods);
+        });
+        glfwSetCharCallback(w, [](GLFWwindow* from, unsigned character) { of(from).on_character(character); });
+        glfwSetCursorPosCallback(w, [](GLFWwindow* from, double, double) { of(from).stirred = true; });
+        glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int, int, int) { of(from).stirred = true; });
+        glfwSetScrollCallback(w, [](GLFWwindow* from, double, double) { of(from).stirred = true; });
+        glfwSetCursorEnterCallback(w, [](GLFWwindow* from, int) { of(from).stirred = true; });
+        glfwSetWindowFocusCallback(w, [](GLFWwindow* from, int) { of(from).stirred = true; });
+        glfwSetFramebufferSizeCallback(w, [](GLFWwindow* from, int, int) { of(from).stirred = true; });
+        glfwSetWindowRefreshCallback(w, [](GLFWwindow* from) { of(from).stirred = true; });
+        glfwSetWindowContentScaleCallback(w, [](GLFWwindow* from, float, float) { of(from).stirred = true; });
+    }
+
+    bool shift() const { return (modifiers & GLFW_MOD_SHIFT) != 0; }
+
+    /// Ctrl, or Command; not Ctrl with Alt, which is how Windows tells of AltGr.
+    bool control() const {
+        return (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0 && (modifiers & GLFW_MOD_ALT) == 0;
+    }
+
+    void on_key(int key, int scancode, int action, int mods) {
+        stirred = true;
+        modifiers = mods;
+        if (action == GLFW_RELEASE) return;
+        if (const auto named = named_key(key)) keys.push_back({*named, 0, control(), shift()});
+        else if (const char32_t typed = control() ? typed_by(key, scancode) : 0; typed != 0)
+            keys.push_back({Key::character, typed, true, shift()});
+    }
+
+    void on_character(unsigned character) {
+        stirred = true;
+        if (character != ' ' && !control()) keys.push_back({Key::character, in_lower_case(character), false, shift()});
+    }
+
+    bool closing() const { return glfwWindowShouldClose(window.get()) == GLFW_TRUE; }
+    bool minimised() const { return glfwGetWindowAttrib(window.get(), GLFW_ICONIFIED) == GLFW_TRUE; }
+
+    /// Takes events: those that came already, or, until the time `until`, the next that comes.
+    void take_events(double until) {
+        const double wait = std::min(until - glfwGetTime(), longest_wait);
+        if (wait <= 0) return glfwPollEvents();
+        glfwWaitEventsTimeout(wait);
+        if (glfwGetTime() < until) stirred = true;  // by wake(), perhaps, of which no callback tells
+    }
+
+    double draw_frame(const DrawFrame& draw) {
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        const double stands = draw({std::exchange(keys, {}), glfwGetTime() - start});
+        ImGui::Render();
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window.get(), &width, &height);
+        draw_gui(width, height);
+        glfwSwapBuffers(window.get());
+        return stands;
+    }
+};
+
+Window::Window(const std::string& title, WindowSize size) : platform_(std::make_unique<Platform>(title, size)) {}
+
+Window::~Window() = default;
+
+float Window::scale() const {
+    // Where a window's coordinates are not pixels (macOS, Wayland), the system enlarges them by itself.
+    float content = 1;
+    glfwGetWindowContentScale(platform_->window.get(), &content, nullptr);
+    int width = 0, pixels = 0;
+    glfwGetWindowSize(platform_->window.get(), &width, nullptr);
+    glfwGetFramebufferSize(platform_->window.get(), &pixels, nullptr);
+    return width > 0 && pixels > 0 ? content * static_cast<float>(width) / static_cast<float>(pixels) : content;
+}
+
+WindowSize Window::size() const {
+    WindowSize size;
+    glfwGetWindowSize(platform_->window.get(), &size.width, &size.height);
+    return size;
+}
+
+void Window::run(const DrawFrame& draw) {
+    Platform& p = *platform_;
+    double drawn_at = glfwGetTime() - shortest_frame, stands_until = 0;
+    int unsettled = frames_to_settle;
+    while (!p.closing()) {
+        // Not by the swap interval alone: a display without vertical synchronisation takes any number of frames.
+        const double early = drawn_at + shortest_frame - glfwGetTime();
+        if (early > 0) std::this_thread::sleep_for(std::chrono::duration<double>(early));
+
+        p.take_events(unsettled > 0 ? 0 : stands_until);
+        while (p.minimised() && !p.closing()) glfwWaitEventsTimeout(longest_wait);
+        if (std::exchange(p.stirred, false)) unsettled = frames_to_settle;
+
+        drawn_at = glfwGetTime();
+        stands_until = drawn_at + p.draw_frame(draw);
+        if (unsettled > 0) --unsettled;
+    }
+}
+
+void Window::close() { glfwSetWindowShouldClose(platform_->window.get(), GLFW_TRUE); }
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(platform_->window.get(), title.c_str()); }
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+}  // namespace glassbox
