@@ -1,23 +1,39 @@
 #include "cli/arguments.hpp"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <type_traits>
+#include <vector>
 
 #include "cli/scene_path.hpp"
 #include "cli/typed.hpp"
+#include "render/option_names.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/shading_models.hpp"
 
 namespace glassbox {
 
 namespace {
 
-constexpr std::array scalars{Choice<Scalar>{"certified", Scalar::certified}, Choice<Scalar>{"exact", Scalar::exact},
-                             Choice<Scalar>{"float", Scalar::float_}, Choice<Scalar>{"double", Scalar::double_},
-                             Choice<Scalar>{"long-double", Scalar::long_double}};
-constexpr std::array models{Choice<ShadingModel>{"phong", ShadingModel::phong},
-                            Choice<ShadingModel>{"blinn-phong", ShadingModel::blinn_phong},
-                            Choice<ShadingModel>{"levental-2014", ShadingModel::levental_2014}};
-const std::array sphere_rules{Choice<SphereRule>{"stable", Stable{}}, Choice<SphereRule>{"textbook", Textbook{}}};
+/// "a, b or c".
+std::string either(const std::vector<std::string>& words) {
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+    return text;
+}
+
+template <class Value, std::size_t count>
+std::string either(const NameTable<Value, count>& table) {
+    std::vector<std::string> words;
+    for (const auto& [name, value, help] : table) {
+        words.emplace_back(name);
+        if constexpr (std::is_same_v<Value, TriangleRule>)
+            if (const auto* rule = std::get_if<Tolerance>(&value))
+                words.back() += fmt::format("[:{:.1f}]", rule->tolerance);
+    }
+    return either(words);
+}
 
 /// Adds options under one heading of the help page.
 struct Heading {
@@ -26,7 +42,7 @@ struct Heading {
 
     /// An option whose word is read by a function of its own: `read("--size", "800x600")`.
     template <class Read>
-    void add(const char* name, const char* value, const char* help, const Read& read) const {
+    void add(const char* name, const char* value, const std::string& help, const Read& read) const {
         const auto callback = [name, read](const std::string& typed) { read(name, typed); };
         command.add_option_function<std::string>(name, callback, help)->type_name(value)->group(title);
     }
@@ -55,20 +71,24 @@ void add_shading_options(CLI::App& command, Request& request) {
     add_factor("--specular", "K", "factor of the specular term, usually 0 to 1", request.specular);
     add_factor("--exponent", "E", "exponent of the specular term: the larger, the smaller the highlight",
                request.exponent);
-    shading.add("--shading", "MODEL", "phong, blinn-phong or levental-2014",
-                [&](auto name, Typed typed) { request.model = chosen(name, typed, models); });
+    shading.add("--shading", "MODEL", either(shading_models),
+                [&](auto name, Typed typed) { request.model = chosen(name, typed, shading_models); });
 }
 
 void add_computing_options(CLI::App& command, Request& request) {
     const Heading computing{command, "How it is computed"};
-    computing.add("--scalar", "S",
-                  "what the formulas run in: certified, exact, float, double or long-double (default: certified)",
-                  [&](auto name, Typed typed) { request.options.scalar = chosen(name, typed, scalars); });
-    computing.add("--triangle", "RULE",
-                  "when a triangle is hit: pluecker, tolerance[:10.0] or moeller-trumbore (default: pluecker)",
-                  [&](auto name, Typed typed) { request.options.triangle_rule = triangle_rule(name, typed); });
-    computing.add("--sphere", "RULE", "how a sphere's roots are found: stable or textbook (default: stable)",
-                  [&](auto name, Typed typed) { request.options.sphere_rule = chosen(name, typed, sphere_rules); });
+    const auto add_choice = [&](const char* option, const char* value, const char* help, const auto& table,
+                                const auto& by_default, const auto& read) {
+        computing.add(option, value, fmt::format("{}: {} (default: {})", help, either(table), name_of(by_default)),
+                      read);
+    };
+    const Options defaults;
+    add_choice("--scalar", "S", "what the formulas run in", scalars, defaults.scalar,
+               [&](auto name, Typed typed) { request.options.scalar = chosen(name, typed, scalars); });
+    add_choice("--triangle", "RULE", "when a triangle is hit", triangle_rules, defaults.triangle_rule,
+               [&](auto name, Typed typed) { request.options.triangle_rule = triangle_rule(name, typed); });
+    add_choice("--sphere", "RULE", "how a sphere's roots are found", sphere_rules, defaults.sphere_rule,
+               [&](auto name, Typed typed) { request.options.sphere_rule = chosen(name, typed, sphere_rules); });
     computing.add("--threads", "N", "how many threads (default: as many as there are cores)",
                   [&](auto name, Typed typed) { request.threads = whole_number(name, typed, 1, 1024); });
 }

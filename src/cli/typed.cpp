@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/option_names.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -73,13 +74,10 @@ std::vector<Turn<double>> turns(std::string_view option, const std::string& type
 }
 
 TriangleRule triangle_rule(std::string_view option, const std::string& typed) {
-    constexpr std::string_view with_number = "tolerance:";
-    if (typed.starts_with(with_number))
-        return Tolerance{factor(fmt::format("{} tolerance", option), typed.substr(with_number.size()))};
-    return chosen<TriangleRule>(
-        option, typed,
-        std::array{Choice<TriangleRule>{"pluecker", Pluecker{}}, Choice<TriangleRule>{"tolerance", Tolerance{}},
-                   Choice<TriangleRule>{"moeller-trumbore", MoellerTrumbore{}}});
+    if (const auto tolerance = tolerance_text(typed))
+        return Tolerance{
+            factor(fmt::format("{} {}", option, name_of(TriangleRule(Tolerance{}))), std::string(*tolerance))};
+    return chosen(option, typed, triangle_rules);
 }
 
 std::vector<std::string> between_commas(const std::string& typed) {

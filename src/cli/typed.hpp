@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "render/options.hpp"
+#include "scene/named.hpp"
 #include "scene/suggestion.hpp"
 
 namespace glassbox {
@@ -36,22 +36,11 @@ TriangleRule triangle_rule(std::string_view option, const std::string& typed);
 /// The words between commas, empty ones too.
 std::vector<std::string> between_commas(const std::string& typed);
 
-/// One of the names that an option knows, and what it stands for.
-template <class Value>
-struct Choice {
-    std::string_view name;
-    Value value;
-};
-
-/// The value of the choice that was typed.
+/// The value of the name that was typed.
 template <class Value, std::size_t count>
-Value chosen(std::string_view option, const std::string& typed, const std::array<Choice<Value>, count>& choices) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : choices) {
-        if (typed == name) return value;
-        names.push_back(name);
-    }
-    throw wrong(option, fmt::format("'{}' is not known; {}", typed, suggestion(typed, names)));
+Value chosen(std::string_view option, const std::string& typed, const NameTable<Value, count>& table) {
+    if (const auto value = find_named(table, typed)) return *value;
+    throw wrong(option, fmt::format("'{}' is not known; {}", typed, suggestion(typed, names(table))));
 }
 
 }  // namespace glassbox

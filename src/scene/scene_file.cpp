@@ -9,6 +9,7 @@
 
 #include "scene/error.hpp"
 #include "scene/obj_file.hpp"
+#include "scene/shading_models.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 #include "scene/toml_value.hpp"
@@ -101,14 +102,10 @@ std::variant<ParallelView, PinholeView> read_view(const Section& view) {
 }
 
 ShadingModel shading_model(const Value& value) {
-    constexpr std::array<std::string_view, 3> names{"phong", "blinn-phong", "levental-2014"};
-    constexpr std::array models{ShadingModel::phong, ShadingModel::blinn_phong, ShadingModel::levental_2014};
     const std::string name = text(value);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        throw error_at(place(value),
-                       fmt::format("unknown shading model {}; {}", in_quotes(name), suggestion(name, names)));
-    return models[static_cast<std::size_t>(found - names.begin())];
+    if (const auto model = find_named(shading_models, name)) return *model;
+    throw error_at(place(value), fmt::format("unknown shading model {}; {}", in_quotes(name),
+                                             suggestion(name, names(shading_models))));
 }
 
 Shading<double> read_shading(const Section& shading, Shading<double> read) {
