@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the meshes of room.toml, beside this file: python3 scenes/make-meshes.py"""
+"""Makes the meshes of room.toml, mesh-far.toml and edges.toml, beside this file: python3 scenes/make-meshes.py"""
 
 from math import cos, pi, sin, sqrt
 from pathlib import Path
@@ -70,6 +70,53 @@ def checkerboard(parity, squares, side):
     return vertices, faces
 
 
+def icosahedron(middle):
+    """Twelve corners at (0, ±1, ±1.618) and their turns: a golden number that ends, so that the corners are exact."""
+    g = 1.618
+    vertices = [(0, s, t * g) for s in (-1, 1) for t in (-1, 1)]
+    vertices += [(t * g, 0, s) for s in (-1, 1) for t in (-1, 1)]
+    vertices += [(s, t * g, 0) for s in (-1, 1) for t in (-1, 1)]
+    faces = []
+    for i in range(12):
+        for j in range(i + 1, 12):
+            for k in range(j + 1, 12):
+                a, b, c = vertices[i], vertices[j], vertices[k]
+                if all(sqrt(sum(x * x for x in plus(p, q, -1))) < 2.1 for p, q in ((a, b), (b, c), (c, a))):
+                    n = cross(plus(b, a, -1), plus(c, a, -1))
+                    outwards = sum(x * y for x, y in zip(n, a)) > 0
+                    faces.append((i, j, k) if outwards else (i, k, j))
+    return [plus(vertex, middle) for vertex in vertices], faces
+
+
+def seen_at(scale, pixel, t):
+    """What the view of mesh-far.toml or edges.toml sees at that pixel (column, row from the bottom), t lengths of D off.
+
+    A pixel's step is (2, -2, 1) to the right and (-2, -1, 2) upwards, both times `scale`; rays start in the origin's
+    plane and run along (-1, -2, -2). Each has length 3 and is square to the others, so that all can stay whole.
+    """
+    start = plus(plus((0, 0, 0), (2, -2, 1), scale * pixel[0]), (-2, -1, 2), scale * pixel[1])
+    return plus(start, (-1, -2, -2), t)
+
+
+def octahedron(corner, depth):
+    """One whose corners and edges lie on the pixels of edges.toml, from pixel `corner` on."""
+    front, back = (40, 36, -30), (46, 32, 30)
+    rim = [(76, 36, 4), (40, 72, -4), (4, 36, 4), (40, 0, -4)]
+    vertices = [seen_at(1, (corner[0] + j, corner[1] + i), depth + k) for j, i, k in (front, back, *rim)]
+    # The last two corners of a face are an edge for which Moeller and Trumbore need u + v = 1; neighbours share it.
+    faces = [(2, 3, 0), (4, 0, 3), (4, 5, 0), (2, 0, 5), (2, 1, 3), (4, 3, 1), (4, 1, 5), (2, 5, 1)]
+    return vertices, faces
+
+
+def together(*meshes):
+    """One mesh of several."""
+    vertices, faces = [], []
+    for mesh in meshes:
+        faces += [tuple(k + len(vertices) for k in face) for face in mesh[1]]
+        vertices += mesh[0]
+    return vertices, faces
+
+
 def moved(mesh, by):
     return [plus(vertex, by) for vertex in mesh[0]], mesh[1]
 
@@ -77,3 +124,18 @@ def moved(mesh, by):
 write_obj("knot.obj", "A (2, 3) torus knot, 80 rings of 7 corners", *moved(knot(2, 3, 80, 7, 1.5, 0.3), (2.9, 3.2, 1.55)))
 write_obj("floor-light.obj", "The light squares of a checkerboard of 8 by 8", *checkerboard(0, 8, 6))
 write_obj("floor-dark.obj", "The dark squares of a checkerboard of 8 by 8", *checkerboard(1, 8, 6))
+write_obj(
+    "icosahedra.obj",
+    "Six icosahedra on the view of mesh-far.toml, 1e1, 1e3, 1e5, 1e6, 1e7 and 3e7 lengths of D off",
+    *together(
+        *(
+            icosahedron(seen_at(0.025, (29.5 + 60 * (k % 3), 89.5 - 60 * (k // 3)), far))
+            for k, far in enumerate((1e1, 1e3, 1e5, 1e6, 1e7, 3e7))
+        )
+    ),
+)
+write_obj(
+    "octahedra.obj",
+    "Two octahedra, the second a tenth deeper, so that its corners are not quite where they are written",
+    *together(octahedron((0, 0), 100), octahedron((80, 0), 100.1)),
+)
