@@ -41,6 +41,15 @@ public:
         asked_.notify_one();
     }
 
+    /// Stops what runs; nothing more comes of it.
+    void cancel() {
+        const std::lock_guard lock(mutex_);
+        next_.reset();
+        result_.reset();
+        current_.request_stop();
+        error_.clear();
+    }
+
     /// The newest result, once.
     std::optional<Result> take() {
         const std::lock_guard lock(mutex_);

@@ -7,7 +7,7 @@ namespace glassbox {
 
 Pixel PictureView::pixel_at(Point screen) const {
     const Point p = on_picture(screen);
-    constexpr double far_off = 1e9;  // an int's range, and never on a picture
+    static constexpr double far_off = 1e9;  // an int's range, and never on a picture
     const auto whole = [](double v) { return static_cast<int>(std::floor(std::clamp(v, -far_off, far_off))); };
     return {whole(p.x), whole(p.y)};
 }
@@ -37,7 +37,8 @@ PictureView kept_in_sight(const PictureView& view, Point area, int width, int he
         const double margin = std::min({rest, size, room});
         return std::clamp(origin, margin - size, room - margin);
     };
-    return {view.zoom, {kept(view.origin.x, width * view.zoom, area.x), kept(view.origin.y, height * view.zoom, area.y)}};
+    return {view.zoom,
+            {kept(view.origin.x, width * view.zoom, area.x), kept(view.origin.y, height * view.zoom, area.y)}};
 }
 
 PictureView showing(const PictureView& view, Pixel pixel, Point area) {

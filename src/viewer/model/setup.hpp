@@ -26,7 +26,7 @@ struct Figure {
     double k_a, k_d, k_s;
 };
 inline constexpr Figure figures[] = {
-    {"Ambient", 1, 0, 0},  {"Diffuse", 0, 1, 0},   {"Specular", 0, 0, 1}, {"Specular + diffuse", 0, 1, .2},
+    {"Ambient", 1, 0, 0}, {"Diffuse", 0, 1, 0}, {"Specular", 0, 0, 1}, {"Specular + diffuse", 0, 1, .2},
     {"Final", .2, 1, .2},
 };
 

@@ -13,9 +13,9 @@ namespace glassbox {
 
 /// What is laid over the picture, or beside it.
 struct Overlay {
-    std::string measurement;                          ///< its name; empty: none
+    std::string measurement;  ///< its name; empty: none
     double opacity = 1;
-    std::optional<std::pair<double, double>> range;   ///< of its colours; otherwise that of its values
+    std::optional<std::pair<double, double>> range;  ///< of its colours; otherwise that of its values
 
     bool operator==(const Overlay&) const = default;
 };
@@ -52,7 +52,7 @@ struct Orbit {
 /// "Watch it trace": how many pixels of the picture have been shown, in the order of the paper's loops.
 struct Watching {
     bool running = false;
-    double shown = 0;                 ///< pixels
+    double shown = 0;  ///< pixels
     double pixels_per_second = 20000;
 };
 
@@ -65,6 +65,7 @@ struct ViewerState {
     History<Setup> setup;
 
     PictureView view;
+    Point area;       ///< the size of the place where the picture is shown, as last drawn
     bool fit = true;  ///< the picture is kept as large as fits
     std::optional<Pixel> hovered, pinned, compared;
 
@@ -78,7 +79,10 @@ struct ViewerState {
     Watching watching;
 
     Page page = Page::inspector;
+    Page page_shown = Page::inspector;  ///< the one that was drawn last
+    float side_width = 0.4f;            ///< of the panel on the right, as a part of the window's
     bool space_shown = true;
+    float space_height = 0.35f;  ///< a part of the window's
     Orbit orbit;
     bool keys_shown = false;
     Appearance appearance;

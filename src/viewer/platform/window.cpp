@@ -221,7 +221,7 @@ WindowSize Window::size() const {
     return size;
 }
 
-void Window::run(const DrawFrame& draw) {
+void Window::run(const DrawFrame& draw, const std::function<void()>& prepare) {
     Platform& p = *platform_;
     double drawn_at = glfwGetTime() - shortest_frame, stands_until = 0;
     int unsettled = frames_to_settle;
@@ -234,6 +234,7 @@ void Window::run(const DrawFrame& draw) {
         while (p.minimised() && !p.closing()) glfwWaitEventsTimeout(longest_wait);
         if (std::exchange(p.stirred, false)) unsettled = frames_to_settle;
 
+        prepare();
         drawn_at = glfwGetTime();
         stands_until = drawn_at + p.draw_frame(draw);
         if (unsettled > 0) --unsettled;

@@ -28,8 +28,9 @@ public:
     float scale() const;
     WindowSize size() const;
 
-    /// Draws until the user closes the window, at most 60 frames a second, and none while nothing happens.
-    void run(const DrawFrame& draw);
+    /// Draws until the user closes the window, at most 60 frames a second, and none while nothing happens. `prepare` is
+    /// called before each frame, when fonts may be loaded.
+    void run(const DrawFrame& draw, const std::function<void()>& prepare = [] {});
 
     /// Lets run() return after this frame, as if the user had closed the window.
     void close();

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_path.hpp"
+#include "cli/typed.hpp"
+#include "cli/view_script.hpp"
+#include "output/output_file.hpp"
+#include "viewer/view.hpp"
+
+namespace glassbox {
+
+namespace {
+
+struct ViewRequest {
+    std::string scene = "levental-2014";
+    std::string pixel, overlay, script, screenshot, size;
+};
+
+std::optional<WindowSize> window_size(const ViewRequest& request) {
+    if (request.size.empty()) return {};
+    const auto [width, height] = size("--size", request.size);
+    return WindowSize{width, height};
+}
+
+void run(const ViewRequest& request) {
+    const std::optional<WindowSize> size = window_size(request);
+    std::vector<ScriptStep> script;
+    if (!request.script.empty()) script = read_script(request.script);
+    ViewerState state = opened(scene_path(request.scene));
+    if (!request.pixel.empty()) {
+        const auto [x, y] = pixel("--pixel", request.pixel, *state.scene);
+        state.pinned = Pixel{x, y};
+    }
+    if (!request.overlay.empty()) {
+        state.overlay.measurement = measurement("--overlay", request.overlay).name;
+        state.page = Page::overlay;
+    }
+    if (!request.screenshot.empty()) {
+        check_picture_file(request.screenshot);
+        script.push_back(Screenshot{request.screenshot});
+    }
+    if (script.empty() && request.script.empty()) view(std::move(state), size);
+    else run_script(std::move(state), script, size.value_or(WindowSize{1280, 800}));
+}
+
+}  // namespace
+
+void add_view(CLI::App& program) {
+    const auto request = std::make_shared<ViewRequest>();
+    CLI::App* command = program.add_subcommand("view", "Open the viewer: click a pixel, see everything that made it");
+    command
+        ->add_option("SCENE", request->scene,
+                     "a scene file, or the name of one that comes with Glassbox (default: levental-2014)")
+        ->type_name(" ");
+    command->add_option("--pixel", request->pixel, "a pixel to begin with")->type_name("X,Y");
+    command->add_option("--overlay", request->overlay, "a measurement to lay over the picture")->type_name("NAME");
+    command->add_option("--size", request->size, "of the window, in pixels (default: as last time)")->type_name("WxH");
+    add_file(*command, "--script", "FILE", "run the commands in a file, without a display (docs/viewer.md)",
+             request->script);
+    add_file(*command, "--screenshot", "OUT.png", "draw one picture of the interface, without a display",
+             request->screenshot);
+    command->footer("Example: glassbox view levental-2014 --pixel 350,149 --overlay margin");
+    command->callback([request] { run(*request); });
+}
+
+}  // namespace glassbox

@@ -1,0 +1,317 @@
+#include "cli/view_script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "cli/scene_path.hpp"
+#include "cli/typed.hpp"
+#include "output/output_file.hpp"
+#include "render/option_names.hpp"
+#include "scene/error.hpp"
+#include "scene/shading_models.hpp"
+#include "scene/suggestion.hpp"
+#include "scene/text_file.hpp"
+#include "viewer/model/keys.hpp"
+#include "viewer/model/timeline.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+template <class Change>
+ScriptStep change(const Change& what) {
+    return ChangeState{[what](ViewerState& state, const Results& results) {
+        if constexpr (std::is_invocable_v<Change, ViewerState&, const Results&>) what(state, results);
+        else what(state);
+    }};
+}
+
+/// A step that changes the setup: undo takes it back.
+template <class Change>
+ScriptStep change_setup(const Change& what) {
+    return change([what](ViewerState& state) {
+        Setup setup = state.setup.now();
+        what(setup);
+        state.setup.change(std::move(setup));
+    });
+}
+
+/// "X,Y" or "none".
+std::optional<Pixel> pixel_or_none(const std::string& name, const std::string& typed) {
+    if (typed == "none") return {};
+    const Words words = between_commas(typed);
+    if (words.size() != 2) throw wrong(name, fmt::format("'{}' must be X,Y, a pixel, or none", typed));
+    return Pixel{whole_number(name, words[0], 0, max_side), whole_number(name, words[1], 0, max_side)};
+}
+
+Vec3<double> vector(const std::string& name, const std::string& typed) {
+    const Words words = between_commas(typed);
+    if (words.size() != 3) throw wrong(name, fmt::format("'{}' must be X,Y,Z", typed));
+    const auto coordinate = [&](const std::string& word) { return number(name, word, -1e100, 1e100); };
+    return {coordinate(words[0]), coordinate(words[1]), coordinate(words[2])};
+}
+
+constexpr NameTable<Page, 4> pages{{
+    {"inspector", Page::inspector, ""},
+    {"steps", Page::steps, ""},
+    {"overlay", Page::overlay, ""},
+    {"controls", Page::controls, ""},
+}};
+constexpr NameTable<Beside, 4> besides{{
+    {"nothing", Beside::nothing, ""},
+    {"overlay", Beside::overlay, ""},
+    {"other", Beside::other, ""},
+    {"difference", Beside::difference, ""},
+}};
+constexpr NameTable<StepTo, 6> step_targets{{
+    {"first", StepTo::first, ""},
+    {"back", StepTo::back, ""},
+    {"forward", StepTo::forward, ""},
+    {"last", StepTo::last, ""},
+    {"failed", StepTo::next_failed, ""},
+    {"cancellation", StepTo::next_cancellation, ""},
+}};
+constexpr NameTable<bool, 2> themes{{{"dark", true, ""}, {"light", false, ""}}};
+constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
+
+/// What `set NAME VALUE` can set.
+struct Settable {
+    std::string_view name;
+    ScriptStep (*read)(const std::string& name, const std::string& typed);
+};
+
+template <double Shading<double>::*member>
+ScriptStep set_factor(const std::string& name, const std::string& typed) {
+    return change_setup([value = factor(name, typed)](Setup& setup) { setup.shading.*member = value; });
+}
+
+using Name = const std::string&;
+
+constexpr Settable settables[] = {
+    {"ambient", set_factor<&Shading<double>::k_a>},
+    {"diffuse", set_factor<&Shading<double>::k_d>},
+    {"specular", set_factor<&Shading<double>::k_s>},
+    {"exponent", set_factor<&Shading<double>::exponent>},
+    {"shading",
+     [](Name name, Name typed) {
+         return change_setup([model = chosen(name, typed, shading_models)](Setup& s) { s.shading.model = model; });
+     }},
+    {"light",
+     [](Name name, Name typed) {
+         return change_setup([position = vector(name, typed)](Setup& s) { s.light_position = position; });
+     }},
+    {"intensity",
+     [](Name name, Name typed) {
+         return change_setup([value = factor(name, typed)](Setup& s) { s.light_intensity = value; });
+     }},
+    {"scalar",
+     [](Name name, Name typed) {
+         return change_setup([scalar = chosen(name, typed, scalars)](Setup& s) { s.options.scalar = scalar; });
+     }},
+    {"triangle",
+     [](Name name, Name typed) {
+         return change_setup([rule = triangle_rule(name, typed)](Setup& s) { s.options.triangle_rule = rule; });
+     }},
+    {"sphere",
+     [](Name name, Name typed) {
+         return change_setup([rule = chosen(name, typed, sphere_rules)](Setup& s) { s.options.sphere_rule = rule; });
+     }},
+    {"other-scalar",
+     [](Name name, Name typed) {
+         return change([scalar = chosen(name, typed, scalars)](ViewerState& s) { s.other.scalar = scalar; });
+     }},
+    {"other-triangle",
+     [](Name name, Name typed) {
+         return change([rule = triangle_rule(name, typed)](ViewerState& s) { s.other.triangle_rule = rule; });
+     }},
+    {"other-sphere",
+     [](Name name, Name typed) {
+         return change([rule = chosen(name, typed, sphere_rules)](ViewerState& s) { s.other.sphere_rule = rule; });
+     }},
+    {"theme",
+     [](Name name, Name typed) {
+         return change([dark = chosen(name, typed, themes)](ViewerState& s) { s.appearance.dark = dark; });
+     }},
+    {"text-size",
+     [](Name name, Name typed) {
+         const auto size = static_cast<float>(number(name, typed, least_text_size, greatest_text_size));
+         return change([size](ViewerState& s) { s.appearance.text_size = size; });
+     }},
+    {"space",
+     [](Name name, Name typed) {
+         return change([shown = chosen(name, typed, switches)](ViewerState& s) { s.space_shown = shown; });
+     }},
+    {"split",
+     [](Name name, Name typed) { return change([at = number(name, typed, 0, 1)](ViewerState& s) { s.split = at; }); }},
+    {"opacity",
+     [](Name name, Name typed) {
+         return change([value = number(name, typed, 0, 1)](ViewerState& s) { s.overlay.opacity = value; });
+     }},
+};
+
+ScriptStep set(const Words& words) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, read] : settables) {
+        if (words[1] == name) return read(words[1], words[2]);
+        names.push_back(name);
+    }
+    throw wrong("set", fmt::format("'{}' is not known; {}", words[1], suggestion(words[1], names)));
+}
+
+ScriptStep overlay(const Words& words) {
+    if (words[1] == "none") return change([](ViewerState& state) { state.overlay.measurement.clear(); });
+    measurement("overlay", words[1]);
+    return change([name = words[1]](ViewerState& state) { state.overlay.measurement = name; });
+}
+
+ScriptStep range(const Words& words) {
+    if (words[1] == "auto") return change([](ViewerState& state) { state.overlay.range.reset(); });
+    if (words.size() != 3) throw wrong("range", "must be followed by LOW HIGH, or by auto");
+    const double low = number("range", words[1], -1e300, 1e300), high = number("range", words[2], -1e300, 1e300);
+    if (!(low < high))
+        throw wrong("range", fmt::format("LOW must be less than HIGH, and {} is not less than {}", low, high));
+    return change([low, high](ViewerState& state) { state.overlay.range = {low, high}; });
+}
+
+ScriptStep zoom(const Words& words) {
+    if (words[1] == "fit") return change([](ViewerState& state) { state.fit = true; });
+    const double to = number("zoom", words[1], least_zoom, greatest_zoom);
+    const std::optional<Pixel> about = words.size() > 2 ? pixel_or_none("zoom", words[2]) : std::nullopt;
+    return change([to, about](ViewerState& state) {
+        state.fit = false;
+        state.view = zoomed_to(state.view, to, state.area);
+        const std::optional<Pixel> middle = about ? about : state.pinned;
+        if (!middle) return;
+        const Point now = state.view.on_screen({middle->x + .5, middle->y + .5});
+        state.view = moved(state.view, {state.area.x / 2 - now.x, state.area.y / 2 - now.y});
+    });
+}
+
+ScriptStep step(const Words& words) {
+    const auto to = find_named(step_targets, words[1]);
+    const std::size_t at = to ? 0 : static_cast<std::size_t>(whole_number("step", words[1], 0, 1'000'000'000));
+    return change([to, at](ViewerState& state, const Results& results) {
+        state.page = Page::steps;
+        if (!results.story) return;
+        const std::vector<Event> events = timeline(*results.story);
+        state.step = to ? stepped(events, state.step, *to) : std::min(at, events.empty() ? 0 : events.size() - 1);
+    });
+}
+
+ScriptStep key(const Words& words) {
+    std::vector<std::string_view> labels;
+    for (const KeyBinding& binding : key_bindings()) {
+        if (words[1] == binding.label) return PressKey{binding.press};
+        labels.push_back(binding.label);
+    }
+    throw wrong("key", fmt::format("'{}' is not known; {}", words[1], suggestion(words[1], labels)));
+}
+
+/// A command of scripts: how many words follow it, and what they mean.
+struct Command {
+    std::string_view name, usage;
+    std::size_t least, most;
+    ScriptStep (*read)(const Words&);
+};
+
+const Command commands[] = {
+    {"open", "open SCENE", 1, 1,
+     [](const Words& w) {
+         return change([file = scene_path(w[1])](ViewerState& state) {
+             open(state, file);
+             if (!state.file_error.empty()) throw Error(state.file_error);
+         });
+     }},
+    {"size", "size WxH", 1, 1,
+     [](const Words& w) -> ScriptStep {
+         const auto [width, height] = size("size", w[1]);
+         return ResizeTo{{width, height}};
+     }},
+    {"pin", "pin X,Y | none", 1, 1,
+     [](const Words& w) {
+         return change([at = pixel_or_none("pin", w[1])](ViewerState& state) {
+             state.pinned = at;
+             state.step = 0;
+         });
+     }},
+    {"compare", "compare X,Y | none", 1, 1,
+     [](const Words& w) {
+         return change([at = pixel_or_none("compare", w[1])](ViewerState& state) { state.compared = at; });
+     }},
+    {"overlay", "overlay NAME | none", 1, 1, overlay},
+    {"range", "range LOW HIGH | auto", 1, 2, range},
+    {"beside", "beside nothing | overlay | other | difference", 1, 1,
+     [](const Words& w) {
+         return change([what = chosen("beside", w[1], besides)](ViewerState& state) { state.beside = what; });
+     }},
+    {"stage", "stage 1..5", 1, 1,
+     [](const Words& w) {
+         return change_setup([to = whole_number("stage", w[1], 1, 5)](Setup& setup) { setup.options.stage = to; });
+     }},
+    {"turn", "turn AXIS:DEGREES,...", 1, 1,
+     [](const Words& w) {
+         return change_setup([by = turns("turn", w[1])](Setup& setup) {
+             for (const Turn<double>& turn : by) setup = turned(std::move(setup), turn.axis, turn.degrees);
+         });
+     }},
+    {"set", "set NAME VALUE", 2, 2, set},
+    {"page", "page inspector | steps | overlay | controls", 1, 1,
+     [](const Words& w) {
+         return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
+     }},
+    {"step", "step N | first | back | forward | last | failed | cancellation", 1, 1, step},
+    {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
+    {"key", "key LABEL", 1, 1, key},
+    {"wait", "wait [SECONDS]", 0, 1,
+     [](const Words& w) -> ScriptStep { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},
+    {"screenshot", "screenshot FILE.png", 1, 1,
+     [](const Words& w) -> ScriptStep {
+         check_picture_file(w[1]);
+         return Screenshot{w[1]};
+     }},
+};
+
+ScriptStep read_line(const Words& words) {
+    std::vector<std::string_view> names;
+    for (const Command& command : commands) {
+        names.push_back(command.name);
+        if (words[0] != command.name) continue;
+        const std::size_t after = words.size() - 1;
+        if (after < command.least || after > command.most) throw Error(fmt::format("this must be: {}", command.usage));
+        return command.read(words);
+    }
+    throw Error(fmt::format("'{}' is not a command; {}", words[0], suggestion(words[0], names)));
+}
+
+}  // namespace
+
+std::vector<ScriptStep> read_script(const std::filesystem::path& file) {
+    std::vector<ScriptStep> steps;
+    std::istringstream text(read_text(file));
+    std::string line;
+    for (std::size_t number = 1; std::getline(text, line); ++number) {
+        std::istringstream words_of(line.substr(0, line.find('#')));
+        Words words;
+        for (std::string word; words_of >> word;) words.push_back(word);
+        if (words.empty()) continue;
+        const auto refused = [&](const char* what) {
+            return Error(fmt::format("{}:{}: error: {}", file.string(), number, what));
+        };
+        try {
+            steps.push_back(read_line(words));
+        } catch (const CLI::ValidationError& error) {
+            throw refused(error.what());
+        } catch (const Error& error) {
+            throw refused(error.what());
+        }
+    }
+    return steps;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,122 @@
+#include "viewer/model/background.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include "explain/explain.hpp"
+#include "render/render.hpp"
+#include "viewer/model/command.hpp"
+#include "viewer/model/progressive.hpp"
+
+namespace glassbox {
+
+namespace {
+
+Job background_job(const std::stop_token& stop, std::atomic<std::int64_t>* done = nullptr) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return {std::max(1, cores - 1), stop, done};
+}
+
+bool lies_on(const Scene& scene, Pixel pixel) {
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < scene.width && pixel.y < scene.height;
+}
+
+}  // namespace
+
+Background::Background(const std::function<void()>& wake)
+    : pixels_done_(std::make_shared<std::atomic<std::int64_t>>(0)),
+      picture_(wake),
+      other_(wake),
+      overlay_(wake),
+      story_(wake),
+      compared_(wake) {}
+
+void Background::ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted) {
+    if (worker.asked == seen) return;
+    worker.asked = seen;
+    if (!seen) return worker.latest.cancel();
+    worker.latest.ask(
+        [seen = *seen, done = counted ? pixels_done_ : nullptr](const std::stop_token& stop, const auto& deliver) {
+            coarse_to_fine(applied(*seen.scene, seen.setup), [&](const Scene& scene, int factor) {
+                if (done) *done = 0;
+                const Job job = background_job(stop, factor == 1 ? done.get() : nullptr);
+                deliver({std::make_shared<const Image>(render(scene, seen.setup.options, job)), factor});
+            });
+        });
+}
+
+void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
+    if (overlay_.asked == wanted) return;
+    overlay_.asked = wanted;
+    if (!wanted) return overlay_.latest.cancel();
+    overlay_.latest.ask([wanted = *wanted](const std::stop_token& stop, const auto& deliver) {
+        const auto& [seen, what] = wanted;
+        coarse_to_fine(applied(*seen.scene, seen.setup), [&, what = what](const Scene& scene, int factor) {
+            std::vector<Plane> planes =
+                measure(scene, wanted.seen.setup.options, std::span(&what, 1), background_job(stop)).front();
+            deliver(std::make_shared<const MeasuredPlanes>(MeasuredPlanes{what, std::move(planes), factor}));
+        });
+    });
+}
+
+void Background::ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted) {
+    if (worker.asked == wanted) return;
+    worker.asked = wanted;
+    if (!wanted) return worker.latest.cancel();
+    worker.latest.ask([wanted = *wanted](const std::stop_token&, const auto& deliver) {
+        const auto& [seen, pixel, file] = wanted;
+        Story story = explain(applied(*seen.scene, seen.setup), seen.setup.options, pixel.x, pixel.y);
+        story.command = explain_command(file, *seen.scene, seen.setup, pixel);
+        deliver(std::make_shared<const Story>(std::move(story)));
+    });
+}
+
+void Background::update(const ViewerState& state, Results& results) {
+    const Seen seen{state.scene, state.setup.now()};
+    ask_for_picture(picture_, seen, true);
+
+    const bool with_other = state.beside == Beside::other || state.beside == Beside::difference;
+    Seen other = seen;
+    other.setup.options.scalar = state.other.scalar;
+    other.setup.options.sphere_rule = state.other.sphere_rule;
+    other.setup.options.triangle_rule = state.other.triangle_rule;
+    ask_for_picture(other_, with_other ? std::optional(other) : std::nullopt, false);
+    if (!with_other) results.other = {};
+
+    const Measurement* const what = find_measurement(state.overlay.measurement);
+    ask_for_overlay(what ? std::optional(SeenMeasured{seen, what}) : std::nullopt);
+    if (!what) results.overlay = nullptr;
+
+    const auto at = [&](const std::optional<Pixel>& pixel) {
+        return pixel && lies_on(*state.scene, *pixel) ? std::optional(SeenPixel{seen, *pixel, state.file})
+                                                      : std::nullopt;
+    };
+    ask_for_story(story_, at(state.pinned));
+    ask_for_story(compared_, at(state.compared));
+    if (!state.pinned) results.story = nullptr;
+    if (!state.compared) results.compared = nullptr;
+
+    const auto take = [](auto& worker, auto& into, std::uint64_t& serial) {
+        auto result = worker.latest.take();
+        if (!result) return;
+        into = std::move(*result);
+        ++serial;
+    };
+    // Read before anything is taken: what ends in between counts as still busy, and is there at the next update.
+    results.busy = picture_.latest.busy() || other_.latest.busy() || overlay_.latest.busy() || story_.latest.busy() ||
+                   compared_.latest.busy();
+    take(picture_, results.picture, results.picture_serial);
+    take(other_, results.other, results.other_serial);
+    take(overlay_, results.overlay, results.overlay_serial);
+    take(story_, results.story, results.story_serial);
+    take(compared_, results.compared, results.story_serial);
+
+    const double pixels = 1.0 * state.scene->width * state.scene->height;
+    results.progress = picture_.latest.busy() ? static_cast<double>(*pixels_done_) / pixels : 1;
+    results.error.clear();
+    for (const std::string& error : {picture_.latest.error(), other_.latest.error(), overlay_.latest.error(),
+                                     story_.latest.error(), compared_.latest.error()})
+        if (!error.empty()) results.error = error;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,63 @@
+#pragma once
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "viewer/model/latest.hpp"
+#include "viewer/model/results.hpp"
+#include "viewer/model/state.hpp"
+
+namespace glassbox {
+
+/// Computes what a state shows, in the background, and only what has changed. Uses all cores but one: that one is the
+/// interface's.
+class Background {
+public:
+    /// `wake` is called from other threads whenever there is something new.
+    explicit Background(const std::function<void()>& wake);
+
+    /// Starts what is missing for this state, stops what is not needed any more, and puts into `results` what is ready.
+    void update(const ViewerState& state, Results& results);
+
+private:
+    /// What a picture, or an overlay, is computed from.
+    struct Seen {
+        std::shared_ptr<const Scene> scene;
+        Setup setup;
+
+        bool operator==(const Seen&) const = default;
+    };
+    struct SeenPixel {
+        Seen seen;
+        Pixel pixel;
+        std::filesystem::path file;
+
+        bool operator==(const SeenPixel&) const = default;
+    };
+    struct SeenMeasured {
+        Seen seen;
+        const Measurement* what;
+
+        bool operator==(const SeenMeasured&) const = default;
+    };
+    /// A worker, and what it was last asked for.
+    template <class What, class Result>
+    struct Worker {
+        explicit Worker(const std::function<void()>& wake) : latest(wake) {}
+        std::optional<What> asked;
+        Latest<Result> latest;
+    };
+    using StoryWorker = Worker<SeenPixel, std::shared_ptr<const Story>>;
+
+    void ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted);
+    void ask_for_overlay(const std::optional<SeenMeasured>& wanted);
+    static void ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted);
+
+    std::shared_ptr<std::atomic<std::int64_t>> pixels_done_;
+    Worker<Seen, Picture> picture_, other_;
+    Worker<SeenMeasured, std::shared_ptr<const MeasuredPlanes>> overlay_;
+    StoryWorker story_, compared_;
+};
+
+}  // namespace glassbox

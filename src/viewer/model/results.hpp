@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "explain/story.hpp"
+#include "render/image.hpp"
+#include "render/measurements.hpp"
+#include "render/plane.hpp"
+
+namespace glassbox {
+
+/// A picture, perhaps a coarse one that a finer one will follow.
+struct Picture {
+    std::shared_ptr<const Image> image;  ///< null: none yet
+    int factor = 1;                      ///< it has 1/factor of the pixels of the final one's width and height
+};
+
+/// What a measurement measured, perhaps coarsely.
+struct MeasuredPlanes {
+    const Measurement* what = nullptr;
+    std::vector<Plane> planes;
+    int factor = 1;
+};
+
+/// What was computed for a ViewerState: the newest of each kind, until something newer is there. `serial` numbers rise
+/// with each new version, for whoever keeps something made from it.
+struct Results {
+    Picture picture, other;
+    std::shared_ptr<const MeasuredPlanes> overlay;  ///< null: none
+    std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none
+    std::shared_ptr<const Story> compared;          ///< of the second pinned pixel; null: none
+    std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
+
+    double progress = 1;  ///< of the picture that is being rendered, 0 to 1
+    bool busy = false;    ///< something is still being computed
+    std::string error;    ///< why something could not be computed; empty if nothing went wrong
+};
+
+}  // namespace glassbox

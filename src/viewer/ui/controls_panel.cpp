@@ -1,0 +1,7 @@
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+void draw_controls(const Frame&) { ImGui::TextUnformatted("controls"); }
+
+}  // namespace glassbox

@@ -1,0 +1,147 @@
+#include "viewer/ui/interface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "viewer/model/keys.hpp"
+#include "viewer/model/timeline.hpp"
+
+namespace glassbox {
+
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+/// Moves what moves by itself: the steps that are played, the picture that is watched.
+void advance(ViewerState& state, const Results& results, double seconds) {
+    if (state.watching.running) {
+        const double all = 1.0 * state.scene->width * state.scene->height;
+        state.watching.shown = std::min(all, state.watching.shown + seconds * state.watching.pixels_per_second);
+        if (state.watching.shown >= all) state.watching.running = false;
+    }
+    if (state.playing && !results.story) state.playing = false;
+}
+
+/// A bar between two parts that can be dragged; returns how far it was dragged, in pixels.
+float divider(const char* name, ImVec2 size, bool upright) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::Button(name, size);
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+        ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    if (!ImGui::IsItemActive()) return 0;
+    return upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+}
+
+struct PageTab {
+    Page page;
+    const char* title;
+    void (*draw)(const Frame&);
+};
+constexpr PageTab pages[] = {
+    {Page::inspector, "Inspector", draw_inspector},
+    {Page::steps, "Steps", draw_steps},
+    {Page::overlay, "Overlay", draw_overlay},
+    {Page::controls, "Controls", draw_controls},
+};
+
+void draw_pages(const Frame& frame) {
+    if (!ImGui::BeginTabBar("pages")) return;
+    static_assert(std::size(pages) == 4);
+    const Page wanted = frame.state.page;
+    for (const PageTab& tab : pages) {
+        // A page chosen by a key or a script is brought to the front; a click on a tab chooses it.
+        const bool bring = wanted == tab.page && frame.state.page_shown != wanted;
+        if (!ImGui::BeginTabItem(tab.title, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0)) continue;
+        if (frame.state.page_shown == wanted || bring) frame.state.page = tab.page;
+        if (bring || frame.state.page == tab.page) frame.state.page_shown = tab.page;
+        ImGui::BeginChild(tab.title);
+        tab.draw(frame);
+        ImGui::EndChild();
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+}  // namespace
+
+Interface::Interface(ViewerState state, float scale, const std::function<void()>& wake)
+    : state_(std::move(state)), scale_(scale), wake_(wake), background_(wake) {}
+
+void Interface::prepare() {
+    const float text_size = state_.appearance.text_size * scale_;
+    if (text_size == loaded_text_size_ && state_.appearance.dark == loaded_dark_) return;
+    if (text_size != loaded_text_size_) fonts_ = load_fonts(text_size);
+    palette_ = apply_theme(state_.appearance, text_size);
+    loaded_text_size_ = text_size;
+    loaded_dark_ = state_.appearance.dark;
+}
+
+double Interface::draw(const Input& input) {
+    if (!ImGui::GetIO().WantTextInput)
+        for (const KeyPress& press : input.keys) obey(press, state_, results_);
+    watch_file();
+    const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
+    advance(state_, results_, seconds);
+    background_.update(state_, results_);
+    pictures_.update(state_, results_);
+    lay_out({state_, results_, pictures_, fonts_, palette_, seconds});
+    // Once more, so that what this frame's clicks ask for is begun at once.
+    background_.update(state_, results_);
+    const bool moving = state_.playing || state_.watching.running;
+    return moving || results_.busy ? 1.0 / 30 : forever;
+}
+
+void Interface::watch_file() {
+    if (!watch_ || watch_->file() != state_.file) watch_ = std::make_unique<FileWatch>(state_.file, wake_);
+    if (watch_->has_changed()) reload(state_);
+}
+
+void Interface::lay_out(const Frame& frame) {
+    const ImGuiViewport* viewport = ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(viewport->WorkPos);
+    ImGui::SetNextWindowSize(viewport->WorkSize);
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                       ImGuiWindowFlags_NoNav;
+    ImGui::Begin("Glassbox", nullptr, flags);
+    draw_toolbar(frame);
+
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float bar = std::floor(ImGui::GetFontSize() * .4f);
+    ImVec2 body = ImGui::GetContentRegionAvail();
+    body.y -= ImGui::GetFrameHeight() + style.ItemSpacing.y;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+
+    const float right = std::clamp(state_.side_width * body.x, std::min(280.f, body.x / 2), body.x * .75f);
+    const float left = body.x - right - bar;
+    const float space = state_.space_shown ? std::clamp(state_.space_height, .1f, .8f) * body.y : 0;
+    ImGui::BeginGroup();
+    ImGui::BeginChild("picture", {left, body.y - space - (state_.space_shown ? bar : 0)}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_picture(frame);
+    ImGui::EndChild();
+    if (state_.space_shown) {
+        state_.space_height -= divider("##space", {left, bar}, false) / body.y;
+        ImGui::BeginChild("space", {left, space}, false,
+                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+        draw_space(frame);
+        ImGui::EndChild();
+    }
+    ImGui::EndGroup();
+    ImGui::SameLine();
+    state_.side_width -= divider("##side", {bar, body.y}, true) / body.x;
+    ImGui::SameLine();
+    ImGui::PopStyleVar();
+    ImGui::BeginChild("side", {right, body.y});
+    draw_pages(frame);
+    ImGui::EndChild();
+
+    draw_status(frame);
+    ImGui::End();
+    draw_keys(frame);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,52 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "viewer/model/background.hpp"
+#include "viewer/model/file_watch.hpp"
+#include "viewer/model/results.hpp"
+#include "viewer/model/state.hpp"
+#include "viewer/platform/input.hpp"
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+/// The whole interface: a state, what is computed for it, and how both are drawn. Needs a Dear ImGui context and a
+/// current OpenGL context from its first frame to its end.
+class Interface {
+public:
+    /// `scale` is the display's; `wake` is called from other threads when there is something new to draw.
+    Interface(ViewerState state, float scale, const std::function<void()>& wake);
+
+    /// Draws a frame into the current Dear ImGui context. Returns how many seconds it may stand if nothing happens.
+    double draw(const Input& input);
+
+    ViewerState& state() { return state_; }
+    const Results& results() const { return results_; }
+
+    /// Whether all that the state shows has been computed and drawn.
+    bool settled() const { return !results_.busy; }
+
+    /// To be called outside of a frame, before each: loads fonts again when their size has changed.
+    void prepare();
+
+private:
+    void watch_file();
+    void lay_out(const Frame& frame);
+
+    ViewerState state_;
+    float scale_;
+    Results results_;
+    Pictures pictures_;
+    Fonts fonts_;
+    Palette palette_{};
+    float loaded_text_size_ = 0;
+    bool loaded_dark_ = true;
+    double last_time_ = 0;
+    std::function<void()> wake_;
+    // Last: their threads end first.
+    std::unique_ptr<FileWatch> watch_;
+    Background background_;
+};
+
+}  // namespace glassbox

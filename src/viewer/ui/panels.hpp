@@ -1,0 +1,34 @@
+#pragma once
+#include <span>
+
+#include "viewer/model/results.hpp"
+#include "viewer/model/state.hpp"
+#include "viewer/platform/fonts.hpp"
+#include "viewer/ui/pictures.hpp"
+#include "viewer/ui/theme.hpp"
+
+namespace glassbox {
+
+/// What every part of the interface is drawn from. Only the state changes by what the user does.
+struct Frame {
+    ViewerState& state;
+    const Results& results;
+    const Pictures& pictures;
+    const Fonts& fonts;
+    const Palette& palette;
+    double seconds;  ///< since the last frame
+};
+
+// The parts of the interface. Each fills the Dear ImGui window or child that is open, and nothing else.
+
+void draw_toolbar(const Frame& frame);
+void draw_picture(const Frame& frame);    ///< the picture with all that lies on it
+void draw_space(const Frame& frame);      ///< the scene in space
+void draw_inspector(const Frame& frame);  ///< the pinned pixel's story
+void draw_steps(const Frame& frame);      ///< its timeline, and the source
+void draw_overlay(const Frame& frame);    ///< which measurement, its legend and histogram, what stands beside
+void draw_controls(const Frame& frame);   ///< all of the setup
+void draw_status(const Frame& frame);     ///< one line
+void draw_keys(const Frame& frame);       ///< the list of keys, if it is shown
+
+}  // namespace glassbox

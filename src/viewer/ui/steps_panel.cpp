@@ -1,0 +1,7 @@
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+void draw_steps(const Frame&) { ImGui::TextUnformatted("steps"); }
+
+}  // namespace glassbox
