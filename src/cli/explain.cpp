@@ -32,25 +32,9 @@ std::string again(const CLI::App& command, const ExplainRequest& request) {
     return line;
 }
 
-std::pair<int, int> pixel(const ExplainRequest& request, const Scene& scene) {
-    const std::vector<std::string> words = between_commas(request.pixel);
-    if (words.size() != 2)
-        throw wrong("--pixel", fmt::format("'{}' must be X,Y: x to the right and y down, (0,0) is the top-left pixel",
-                                           request.pixel));
-    const auto coordinate = [&](const std::string& word, char name, int count) {
-        try {
-            return whole_number("--pixel", word, 0, count - 1);
-        } catch (const CLI::ValidationError&) {
-            throw wrong("--pixel", fmt::format("'{}': {} must be a whole number from 0 to {}; the picture is {}x{}",
-                                               request.pixel, name, count - 1, scene.width, scene.height));
-        }
-    };
-    return {coordinate(words[0], 'x', scene.width), coordinate(words[1], 'y', scene.height)};
-}
-
 void run(const CLI::App& command, const ExplainRequest& request) {
     const Scene scene = load(request);
-    const auto [x, y] = pixel(request, scene);
+    const auto [x, y] = pixel("--pixel", request.pixel, scene);
     note(command, "not used", unused_options(command, Rays::of_a_picture, request.options.stage));
     Story story = explain(scene, request.options, x, y);
     story.command = again(command, request);

@@ -12,7 +12,6 @@
 #include "cli/typed.hpp"
 #include "output/output_file.hpp"
 #include "render/render.hpp"
-#include "scene/suggestion.hpp"
 
 namespace glassbox {
 
@@ -23,18 +22,11 @@ struct MeasureRequest : Request {
     std::string out;
 };
 
-const Measurement* named(const std::string& name) {
-    if (const Measurement* found = find_measurement(name)) return found;
-    std::vector<std::string_view> known;
-    for (const Measurement& each : measurements()) known.push_back(each.name);
-    throw wrong("--what", fmt::format("'{}' is not known; {}", name, suggestion(name, known)));
-}
-
 /// What "depth,n.l" asks for.
 std::vector<const Measurement*> read_wanted(const std::string& typed) {
     std::vector<const Measurement*> wanted;
     for (const std::string& name : between_commas(typed)) {
-        wanted.push_back(named(name));
+        wanted.push_back(&measurement("--what", name));
         if (std::count(wanted.begin(), wanted.end(), wanted.back()) > 1)
             throw wrong("--what", fmt::format("'{}' is there twice; name it once", name));
     }

@@ -12,7 +12,7 @@ namespace glassbox {
 namespace {
 
 template <class Number>
-std::optional<Number> number(std::string_view text) {
+std::optional<Number> read(std::string_view text) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return {};
@@ -23,7 +23,7 @@ std::optional<Turn<double>> turn(std::string_view text) {
     const bool has_axis = text.size() > 2 && text[0] >= 'x' && text[0] <= 'z' && text[1] == ':';
     std::string_view angle = has_axis ? text.substr(2) : std::string_view{};
     if (angle.size() > 1 && angle[0] == '+' && angle[1] != '-') angle.remove_prefix(1);
-    const std::optional<double> degrees = number<double>(angle);
+    const std::optional<double> degrees = read<double>(angle);
     if (!degrees || !std::isfinite(*degrees)) return {};
     return Turn<double>{static_cast<Axis>(text[0] - 'x'), *degrees};
 }
@@ -35,14 +35,21 @@ CLI::ValidationError wrong(std::string_view option, const std::string& message) 
 }
 
 int whole_number(std::string_view option, const std::string& typed, int least, int most) {
-    const std::optional<int> value = number<int>(typed);
+    const std::optional<int> value = read<int>(typed);
     if (!value || *value < least || *value > most)
         throw wrong(option, fmt::format("'{}' must be a whole number from {} to {}", typed, least, most));
     return *value;
 }
 
+double number(std::string_view option, const std::string& typed, double least, double most) {
+    const std::optional<double> value = read<double>(typed);
+    if (!value || !(*value >= least && *value <= most))
+        throw wrong(option, fmt::format("'{}' must be a number from {} to {}", typed, least, most));
+    return *value;
+}
+
 double factor(std::string_view option, const std::string& typed) {
-    const std::optional<double> value = number<double>(typed);
+    const std::optional<double> value = read<double>(typed);
     if (!value || !std::isfinite(*value) || *value < 0)
         throw wrong(option, fmt::format("'{}' must be a number, 0 or more", typed));
     return *value;
@@ -50,7 +57,7 @@ double factor(std::string_view option, const std::string& typed) {
 
 std::pair<int, int> size(std::string_view option, const std::string& typed) {
     const std::size_t cross = typed.find_first_of("xX");
-    const auto side = [&](std::size_t from, std::size_t to) { return number<long long>(typed.substr(from, to)); };
+    const auto side = [&](std::size_t from, std::size_t to) { return read<long long>(typed.substr(from, to)); };
     const auto width = cross == std::string::npos ? std::nullopt : side(0, cross);
     const auto height = cross == std::string::npos ? std::nullopt : side(cross + 1, std::string::npos);
     if (!width || !height)
@@ -64,11 +71,11 @@ std::pair<int, int> size(std::string_view option, const std::string& typed) {
 std::vector<Turn<double>> turns(std::string_view option, const std::string& typed) {
     std::vector<Turn<double>> result;
     for (const std::string& one : between_commas(typed)) {
-        const std::optional<Turn<double>> read = turn(one);
-        if (!read)
+        const std::optional<Turn<double>> one_turn = turn(one);
+        if (!one_turn)
             throw wrong(option, fmt::format("'{}' must be an axis, x, y or z, and degrees, such as z:10 or z:10,y:-20",
                                             one.empty() ? typed : one));
-        result.push_back(*read);
+        result.push_back(*one_turn);
     }
     return result;
 }
@@ -78,6 +85,28 @@ TriangleRule triangle_rule(std::string_view option, const std::string& typed) {
         return Tolerance{
             factor(fmt::format("{} {}", option, name_of(TriangleRule(Tolerance{}))), std::string(*tolerance))};
     return chosen(option, typed, triangle_rules);
+}
+
+std::pair<int, int> pixel(std::string_view option, const std::string& typed, const Scene& scene) {
+    const std::vector<std::string> words = between_commas(typed);
+    if (words.size() != 2)
+        throw wrong(option,
+                    fmt::format("'{}' must be X,Y: x to the right and y down, (0,0) is the top-left pixel", typed));
+    const auto coordinate = [&](const std::string& word, char name, int count) {
+        const std::optional<int> value = read<int>(word);
+        if (!value || *value < 0 || *value >= count)
+            throw wrong(option, fmt::format("'{}': {} must be a whole number from 0 to {}; the picture is {}x{}", typed,
+                                            name, count - 1, scene.width, scene.height));
+        return *value;
+    };
+    return {coordinate(words[0], 'x', scene.width), coordinate(words[1], 'y', scene.height)};
+}
+
+const Measurement& measurement(std::string_view option, const std::string& typed) {
+    if (const Measurement* found = find_measurement(typed)) return *found;
+    std::vector<std::string_view> known;
+    for (const Measurement& each : measurements()) known.push_back(each.name);
+    throw wrong(option, fmt::format("'{}' is not known; {}", typed, suggestion(typed, known)));
 }
 
 std::vector<std::string> between_commas(const std::string& typed) {

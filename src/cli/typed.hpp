@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "render/measurements.hpp"
 #include "render/options.hpp"
 #include "scene/named.hpp"
+#include "scene/scene.hpp"
 #include "scene/suggestion.hpp"
 
 namespace glassbox {
@@ -21,6 +23,9 @@ CLI::ValidationError wrong(std::string_view option, const std::string& message);
 /// A whole number from `least` to `most`.
 int whole_number(std::string_view option, const std::string& typed, int least, int most);
 
+/// A number from `least` to `most`.
+double number(std::string_view option, const std::string& typed, double least, double most);
+
 /// A finite number, 0 or more.
 double factor(std::string_view option, const std::string& typed);
 
@@ -32,6 +37,12 @@ std::vector<Turn<double>> turns(std::string_view option, const std::string& type
 
 /// "pluecker", "tolerance", "tolerance:0.5" or "moeller-trumbore".
 TriangleRule triangle_rule(std::string_view option, const std::string& typed);
+
+/// "X,Y", a pixel of the scene's picture.
+std::pair<int, int> pixel(std::string_view option, const std::string& typed, const Scene& scene);
+
+/// The measurement of that name.
+const Measurement& measurement(std::string_view option, const std::string& typed);
 
 /// The words between commas, empty ones too.
 std::vector<std::string> between_commas(const std::string& typed);
