@@ -53,7 +53,7 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
     story.met = said.met.size();
     story.traced = scene.background;
     if (options.stage == 1) {
-        const auto [color, rounded] = ray_story(said, story.column, story.row, detail);
+        const auto [color, rounded] = ray_story(said, options.scalar, story.column, story.row, detail);
         story.ray_color = color;
         story.traced = rounded;
     } else if (said.nearest) {
@@ -61,8 +61,6 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
         story.hit = std::move(hit);
         story.traced = color;
     }
-    // The steps are double's. In another scalar the picture's colour is that scalar's.
-    if (options.scalar == Scalar::float_ || options.scalar == Scalar::long_double) story.traced = said.color;
     story.border = is_on_border(scene, x, y);
     story.color = story.border ? *scene.border : story.traced;
     if (detail == Detail::whole && options.stage > 1) tell_surfaces(story, scene, all, said, colors);

@@ -8,6 +8,7 @@
 
 #include "explain/heard.hpp"
 #include "explain/inputs.hpp"
+#include "explain/scalar_of_steps.hpp"
 #include "render/exact_crossing.hpp"
 #include "render/search.hpp"
 #include "render/tracer.hpp"
@@ -25,11 +26,14 @@ public:
         if (detail == Detail::whole) checked_ = replay(tape);
     }
 
-    Number operator()(const Recorded& number) const {
-        if (!number.tape() || checked_.empty()) return {.value = number.value(), .truth = number.value()};
-        return checked_[number.step()];
+    template <class Real>
+    Number operator()(const Recorded<Real>& number) const {
+        return number.tape() && !checked_.empty() ? checked_[number.step()] : unchecked(number.value());
     }
-    Vector operator()(const Vec3<Recorded>& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
+    template <class Real>
+    Vector operator()(const Vec3<Recorded<Real>>& v) const {
+        return {(*this)(v.x), (*this)(v.y), (*this)(v.z)};
+    }
 
     const std::vector<Checked>& all() const { return checked_; }
 
@@ -38,72 +42,79 @@ private:
 };
 
 /// The hit, recorded: t as the formula gives it, or, where exact arithmetic decided, as an input.
-template <class Shape>
+template <class Real, class Shape>
 struct RecordedHit {
-    Ray<Recorded> ray;
+    Ray<Recorded<Real>> ray;
     Shape shape;
-    Recorded t;
+    Recorded<Real> t;
     bool t_by_exact = false;
 };
 
-template <class Shape, class Rule>
-auto record_hit(Tape& tape, Heard& heard, const Verdict& verdict, const Shape& shape, const Rule& rule) {
-    const Ray<Recorded> ray = input(tape, verdict.ray);
-    const auto recorded = input(tape, shape);
-    const Crossing<Recorded> crossing = intersect(ray, recorded, rule, heard);
-    const bool same = crossing.t.value() == verdict.nearest->t;
-    const Recorded t = same ? crossing.t : Recorded::input(tape, verdict.nearest->t, "t");
-    if (same) name(t, "t");
-    return RecordedHit<std::remove_const_t<decltype(recorded)>>{ray, recorded, t, !same};
+template <class Real, class Shape, class Rule>
+auto record_hit(Tape& tape, Heard<Real>& heard, const Verdict& verdict, const Options& options, const Shape& shape,
+                const Rule& rule) {
+    const Ray<Recorded<Real>> ray = input<Real>(tape, verdict.ray);
+    const auto recorded = input<Real>(tape, shape);
+    const Crossing<Recorded<Real>> crossing = intersect(ray, recorded, rule, heard);
+    const bool by_exact = is_proven(options.scalar) && static_cast<double>(crossing.t.value()) != verdict.nearest->t;
+    const Recorded<Real> t = by_exact ? Recorded<Real>::input(tape, verdict.nearest->t, "t") : crossing.t;
+    name(t, "t");
+    return RecordedHit<Real, std::remove_const_t<decltype(recorded)>>{ray, recorded, t, by_exact};
 }
 
 /// The unit normal, as the renderer finds it.
-template <class Shape>
-Vec3<Recorded> normal_of(const RecordedHit<Shape>& hit) {
-    PlainSearch<Recorded, Stable, Pluecker> search{};
-    if constexpr (std::is_same_v<Shape, Sphere<Recorded>>) search.surfaces.spheres = {hit.shape};
+template <class Real, class Shape>
+Vec3<Recorded<Real>> normal_of(const RecordedHit<Real, Shape>& hit) {
+    PlainSearch<Recorded<Real>, Stable, Pluecker> search{};
+    if constexpr (std::is_same_v<Shape, Sphere<Recorded<Real>>>) search.surfaces.spheres = {hit.shape};
     else search.surfaces.triangles = {hit.shape};
     return search.normal_at(hit.ray, {0, hit.t});
 }
 
-Shading<Recorded> input(Tape& tape, const Shading<double>& s) {
+template <class Real>
+Shading<Recorded<Real>> input(Tape& tape, const Shading<double>& s) {
     return {s.model,
-            Recorded::input(tape, s.k_a, "k_a"),
-            Recorded::input(tape, s.k_d, "k_d"),
-            Recorded::input(tape, s.k_s, "k_s"),
-            Recorded::input(tape, s.exponent, "e"),
-            glassbox::input(tape, s.ambient_color, "ambient_color"),
-            glassbox::input(tape, s.specular_color, "specular_color")};
+            Recorded<Real>::input(tape, s.k_a, "k_a"),
+            Recorded<Real>::input(tape, s.k_d, "k_d"),
+            Recorded<Real>::input(tape, s.k_s, "k_s"),
+            Recorded<Real>::input(tape, s.exponent, "e"),
+            glassbox::input<Real>(tape, s.ambient_color, "ambient_color"),
+            glassbox::input<Real>(tape, s.specular_color, "specular_color")};
 }
 
+template <class Real>
 struct RecordedShade {
-    Vec3<Recorded> r, sum;
-    Light<Recorded> light;
-    Terms<Recorded> terms;
+    Vec3<Recorded<Real>> r, sum;
+    Light<Recorded<Real>> light;
+    Terms<Recorded<Real>> terms;
     Rgb color;
 };
 
-RecordedShade record_shade(Tape& tape, Heard& heard, const Scene& scene, const Ray<Recorded>& ray,
-                           const Vec3<Recorded>& n, Rgb own_color) {
-    const Light<Recorded> light = directional_light(glassbox::input(tape, scene.light_position, "L"),
-                                                    Recorded::input(tape, scene.light_intensity, "I"));
+template <class Real>
+RecordedShade<Real> record_shade(Tape& tape, Heard<Real>& heard, const Scene& scene, const Ray<Recorded<Real>>& ray,
+                                 const Vec3<Recorded<Real>>& n, Rgb own_color) {
+    const Light<Recorded<Real>> light = directional_light(glassbox::input<Real>(tape, scene.light_position, "L"),
+                                                          Recorded<Real>::input(tape, scene.light_intensity, "I"));
     name(light.l, "l");
-    const Vec3<Recorded> r = unit(-ray.D);
+    const Vec3<Recorded<Real>> r = unit(-ray.D);
     name(r, "r");
-    const Vec3<Recorded> own = glassbox::input(tape, to_vec3<double>(own_color), "color");
-    const Shading<Recorded> shading = input(tape, scene.shading);
-    const Terms<Recorded> terms = shade(n, r, own, light, shading, heard);
+    const Vec3<Recorded<Real>> own = glassbox::input<Real>(tape, to_vec3<double>(own_color), "color");
+    const Shading<Recorded<Real>> shading = input<Real>(tape, scene.shading);
+    const Terms<Recorded<Real>> terms = shade(n, r, own, light, shading, heard);
     name(terms.ambient, "ambient");
     name(terms.diffuse, "diffuse");
     name(terms.specular, "specular");
-    const Vec3<Recorded> sum = terms.ambient + terms.diffuse + terms.specular;
+    const Vec3<Recorded<Real>> sum = terms.ambient + terms.diffuse + terms.specular;
     name(sum, "sum");
     return {r, sum, light, terms, to_rgb(terms, scene.shading.model)};
 }
 
-Shade shade_story(const Scene& scene, const Lookup& look, const Heard& heard, const RecordedShade& s, Rgb own) {
+template <class Real>
+Shade shade_story(const Scene& scene, const Lookup& look, const Heard<Real>& heard, const RecordedShade<Real>& s,
+                  Rgb own) {
     const Shading<double>& shading = scene.shading;
-    const auto term = [&](double k, const Recorded& factor, const Vec3<double>& color, const Vec3<Recorded>& product) {
+    const auto term = [&](double k, const Recorded<Real>& factor, const Vec3<double>& color,
+                          const Vec3<Recorded<Real>>& product) {
         return Term{k, look(factor), color, look(product), truncated(product)};
     };
     return {.model = shading.model,
@@ -142,17 +153,17 @@ void tell_steps(FirstHit& hit, const Tape& tape, const Lookup& look) {
     find_worst(hit);
 }
 
-template <class Shape, class Rule>
+template <class Real, class Shape, class Rule>
 ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verdict, Rgb own, Detail detail,
                  const Shape& shape, const Rule& rule) {
-    Tape tape;
-    Heard heard;
-    const auto at_hit = record_hit(tape, heard, verdict, shape, rule);
-    const Vec3<Recorded> point = at(at_hit.ray, at_hit.t);
+    Tape tape(Precision::of<Real>());
+    Heard<Real> heard;
+    const auto at_hit = record_hit(tape, heard, verdict, options, shape, rule);
+    const Vec3<Recorded<Real>> point = at(at_hit.ray, at_hit.t);
     name(point, "point");
-    const Vec3<Recorded> n = normal_of(at_hit);
+    const Vec3<Recorded<Real>> n = normal_of(at_hit);
     name(n, "n");
-    std::optional<RecordedShade> shade;
+    std::optional<RecordedShade<Real>> shade;
     if (options.stage >= 4) shade = record_shade(tape, heard, scene, at_hit.ray, n, own);
 
     const Lookup look(tape, detail);
@@ -176,18 +187,22 @@ ToldHit hit_story(const Scene& scene, const Surfaces<double>& surfaces, const Op
                   Rgb own_color, Detail detail) {
     return with_surface(surfaces, verdict.nearest->surface, [&]<class Shape>(const Shape& shape) {
         const auto tell = [&](const auto& rule) {
-            return told_hit(scene, options, verdict, own_color, detail, shape, rule);
+            return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
+                return told_hit<Real>(scene, options, verdict, own_color, detail, shape, rule);
+            });
         };
         if constexpr (std::is_same_v<Shape, Sphere<double>>) return std::visit(tell, options.sphere_rule);
         else return std::visit(tell, options.triangle_rule);
     });
 }
 
-ToldRay ray_story(const Verdict& verdict, int column, int row, Detail detail) {
-    Tape tape;
-    const Vec3<Recorded> color = ray_color(input(tape, verdict.ray), column, row);
-    const Lookup look(tape, detail);
-    return {look(color), rounded(color)};
+ToldRay ray_story(const Verdict& verdict, Scalar scalar, int column, int row, Detail detail) {
+    return with_scalar_of_steps(scalar, [&]<class Real>(std::type_identity<Real>) -> ToldRay {
+        Tape tape(Precision::of<Real>());
+        const Vec3<Recorded<Real>> color = ray_color(input<Real>(tape, verdict.ray), column, row);
+        const Lookup look(tape, detail);
+        return {look(color), rounded(color)};
+    });
 }
 
 }  // namespace glassbox

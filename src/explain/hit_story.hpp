@@ -20,6 +20,6 @@ struct ToldRay {
     story::Vector color;
     Rgb rounded;
 };
-ToldRay ray_story(const Verdict& verdict, int column, int row, Detail detail);
+ToldRay ray_story(const Verdict& verdict, Scalar scalar, int column, int row, Detail detail);
 
 }  // namespace glassbox

@@ -8,16 +8,19 @@ namespace glassbox {
 
 // What a tape begins with, under the names that the formulas use.
 
-inline Ray<Recorded> input(Tape& tape, const Ray<double>& ray) {
-    return {input(tape, ray.P, "P"), input(tape, ray.D, "D")};
+template <class Real>
+Ray<Recorded<Real>> input(Tape& tape, const Ray<double>& ray) {
+    return {input<Real>(tape, ray.P, "P"), input<Real>(tape, ray.D, "D")};
 }
 
-inline Sphere<Recorded> input(Tape& tape, const Sphere<double>& sphere) {
-    return {input(tape, sphere.c, "centre"), Recorded::input(tape, sphere.r, "radius")};
+template <class Real>
+Sphere<Recorded<Real>> input(Tape& tape, const Sphere<double>& sphere) {
+    return {input<Real>(tape, sphere.c, "centre"), Recorded<Real>::input(tape, sphere.r, "radius")};
 }
 
-inline Triangle<Recorded> input(Tape& tape, const Triangle<double>& triangle) {
-    return {input(tape, triangle.A, "A"), input(tape, triangle.B, "B"), input(tape, triangle.C, "C")};
+template <class Real>
+Triangle<Recorded<Real>> input(Tape& tape, const Triangle<double>& triangle) {
+    return {input<Real>(tape, triangle.A, "A"), input<Real>(tape, triangle.B, "B"), input<Real>(tape, triangle.C, "C")};
 }
 
 }  // namespace glassbox

@@ -4,7 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "explain/scalar_of_steps.hpp"
 #include "explain/words.hpp"
+#include "render/option_names.hpp"
+#include "scene/shading_models.hpp"
 
 namespace glassbox {
 
@@ -17,9 +20,15 @@ constexpr int version = 1;
 
 std::string hex(double value) { return fmt::format("{:a}", value); }
 
+/// A long double that a double can hold is written as one: 0x1.8p+0 and not 0xc.p-3.
+std::string hex(long double value) {
+    const auto rounded = static_cast<double>(value);
+    return rounded < value || rounded > value ? fmt::format("{:a}", value) : hex(rounded);
+}
+
 /// Numbers that are not finite have no JSON: they become null.
 Json json(const Number& n) {
-    return {{"value", n.value}, {"hex", hex(n.value)},      {"error", n.error},
+    return {{"value", n.value}, {"hex", hex(n.recorded)},   {"error", n.error},
             {"true", n.truth},  {"true_hex", hex(n.truth)}, {"off", n.distance},
             {"sign", n.sign},   {"bits_lost", n.bits_lost}, {"known", word(n.known)}};
 }
@@ -73,7 +82,7 @@ Json json(const Term& term) {
 
 Json json(const Shade& shade) {
     const bool phong = shade.model == ShadingModel::phong;
-    return {{"model", word(shade.model)},
+    return {{"model", name_of(shade.model)},
             {"intensity", shade.intensity},
             {"exponent", shade.exponent},
             {"L", json(shade.L)},
@@ -138,9 +147,10 @@ std::string to_json(const Story& story) {
         {"traced_color", json(story.traced)},
         {"options",
          {{"stage", options.stage},
-          {"scalar", word(options.scalar)},
-          {"sphere", word(options.sphere_rule)},
-          {"triangle", word(options.triangle_rule)}}},
+          {"scalar", name_of(options.scalar)},
+          {"steps_in", name_of(scalar_of_steps(options.scalar))},
+          {"sphere", name_of(options.sphere_rule)},
+          {"triangle", written(options.triangle_rule)}}},
         {"ray",
          {{"P", json(story.ray.P)},
           {"P_hex", hexes(story.ray.P)},

@@ -16,7 +16,6 @@ using Long = Dyadic::Long;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double all_bits = std::numeric_limits<double>::digits;
 
 /// A value without rounding: exact while it needs no more than one square root, then a long float.
 class True {
@@ -88,11 +87,30 @@ MaybeTrue power(const True& base, const True& exponent) {
     return True(pow(base.to_long(), exponent.to_long()));
 }
 
+/// A finite number as the sum of doubles; nothing where it is beyond their range, as a long double may be.
+std::optional<Exact> exactly(long double number) {
+    Exact sum;
+    while (number != 0) {
+        const auto head = static_cast<double>(number);
+        if (head == 0 || !std::isfinite(head)) return {};
+        sum = sum + Exact(head);
+        number -= head;
+    }
+    return sum;
+}
+
+MaybeTrue given(long double number) {
+    if (!std::isfinite(number)) return {};
+    const std::optional<Exact> exact = exactly(number);
+    return exact ? True(*exact) : True(Long(number));
+}
+
 MaybeTrue truth_of(const Step& step, int number, const MaybeTrue& a, const MaybeTrue& b) {
-    if (operands(step.operation) == 0)
-        return std::isfinite(step.value) ? MaybeTrue(True(Exact(step.value))) : MaybeTrue{};
+    if (operands(step.operation) == 0) return given(step.value);
     if (!a || !b) return {};
     switch (step.operation) {
+        case Operation::round:
+            return a;
         case Operation::add:
             return combined(*a, *b, [](const auto& x, const auto& y) { return x + y; });
         case Operation::subtract:
@@ -143,11 +161,17 @@ Kleene truth_within(Operation comparison, const Bounded& a, const Bounded& b) {
     }
 }
 
+/// 0 where the bounds prove what was recorded, else 1.
+double doubt(const Kleene& truth, bool recorded) { return (recorded ? surely(truth) : !possibly(truth)) ? 0.0 : 1.0; }
+
 Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
+    const auto value = static_cast<double>(step.value);
     switch (step.operation) {
         case Operation::input:
         case Operation::constant:
-            return Bounded(step.value);
+            return Bounded(value);
+        case Operation::round:
+            return a;
         case Operation::add:
             return a + b;
         case Operation::subtract:
@@ -163,34 +187,50 @@ Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
         case Operation::square_root:
             return sqrt(a);
         case Operation::power:
-            return power_within(step.value, a, b);
-        default: {
-            const Kleene truth = truth_within(step.operation, a, b);
-            return {step.value, surely(truth) || !possibly(truth) ? 0.0 : 1.0};
-        }
+            return power_within(value, a, b);
+        default:
+            return {value, doubt(truth_within(step.operation, a, b), step.value != 0)};
     }
 }
 
-/// The bound about the value that was recorded, should the two have parted (0 times infinity, say).
+/// The bound about the value that was recorded, where the two have parted: a float was rounded again, a long double
+/// less, and 0 times infinity is no number.
 Bounded about(double recorded, const Bounded& bound) {
     if (bound.value == recorded) return {recorded, std::isnan(bound.error) ? infinity : bound.error};
     const double error = Bounded::up(bound.error + std::abs(bound.value - recorded));
     return {recorded, std::isnan(error) ? infinity : error};
 }
 
-double last_place(double number) {
-    const double size = std::abs(number);
-    return std::nextafter(size, infinity) - size;
+/// What a long double adds to the bound about the nearest double.
+double beyond_double(long double recorded) {
+    if (!std::isfinite(recorded)) return 0;
+    const long double rest = std::abs(recorded - static_cast<long double>(static_cast<double>(recorded)));
+    return rest == 0 ? 0.0 : Bounded::up(static_cast<double>(rest)) + Bounded::underflow;
 }
 
-double bits(double distance, double value) {
+/// The exponent of a number's unit in the last place, a power of 2.
+int last_place(long double number, const Precision& precision) {
+    int exponent = precision.min_exponent;
+    if (number != 0) std::frexp(number, &exponent);
+    return std::max(exponent, precision.min_exponent) - precision.digits;
+}
+
+double bits(const Long& distance, long double number, const Precision& precision) {
     if (distance == 0) return 0;
-    if (!std::isfinite(distance)) return all_bits;
-    return std::min(std::log2(distance / last_place(value) + 1), all_bits);
+    const auto ulps = static_cast<double>(Long(ldexp(distance, -last_place(number, precision))));
+    return std::min(std::log2(ulps + 1), double(precision.digits));
 }
 
-Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth) {
-    Checked result{.value = step.value, .error = bound.error};
+/// |truth − number|, the number finite.
+Long distance_to(const True& truth, long double number) {
+    const std::optional<Exact> exact = truth.is_exact() ? exactly(number) : std::nullopt;
+    return exact ? abs((truth.exact() - *exact).to_long()) : Long(abs(truth.to_long() - Long(number)));
+}
+
+Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth, const Precision& precision) {
+    Checked result{.value = static_cast<double>(step.value), .recorded = step.value, .error = bound.error};
+    const double beyond = beyond_double(step.value);
+    if (!(beyond == 0)) result.error = Bounded::up(bound.error + beyond);
     if (!truth) {
         result.known = Known::not_at_all;
         result.truth = result.distance = result.bits_lost = not_a_number;
@@ -198,15 +238,17 @@ Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth) 
     }
     result.known = truth->is_exact() ? Known::exactly : Known::to_long_float;
     result.sign = truth->sign();
-    const Long number = truth->to_long();
-    result.truth = static_cast<double>(number);
-    if (!std::isfinite(step.value)) result.distance = infinity;
-    else if (truth->is_exact())
-        result.distance = std::abs(static_cast<double>((truth->exact() - Exact(step.value)).to_long()));
-    else result.distance = std::abs(static_cast<double>(Long(number - step.value)));
+    result.truth = static_cast<double>(truth->to_long());
+    if (!std::isfinite(step.value)) {
+        result.distance = infinity;
+        result.bits_lost = precision.digits;
+        return result;
+    }
+    const Long distance = distance_to(*truth, step.value);
+    result.distance = static_cast<double>(distance);
     if (is_comparison(step.operation)) return result;
-    // A truth too small for a double is lost whole, though rounding its distance hides it.
-    result.bits_lost = step.value == 0 && result.sign != 0 ? all_bits : bits(result.distance, result.value);
+    // A truth too small for the scalar is lost whole, though its distance is less than a unit in the last place.
+    result.bits_lost = step.value == 0 && result.sign != 0 ? precision.digits : bits(distance, step.value, precision);
     return result;
 }
 
@@ -224,22 +266,25 @@ std::vector<Checked> replay(const Tape& tape) {
     for (const Step& step : tape.steps()) {
         const bool starts = operands(step.operation) == 0;
         const auto number = static_cast<int>(all.size());
-        bounds.push_back(about(
-            step.value, bound_of(step, starts ? no_bound : bounds[step.left], starts ? no_bound : bounds[step.right])));
+        bounds.push_back(about(static_cast<double>(step.value), bound_of(step, starts ? no_bound : bounds[step.left],
+                                                                         starts ? no_bound : bounds[step.right])));
         truths.push_back(
             truth_of(step, number, starts ? no_truth : truths[step.left], starts ? no_truth : truths[step.right]));
-        all.push_back(checked(step, bounds.back(), truths.back()));
+        all.push_back(checked(step, bounds.back(), truths.back(), tape.precision()));
     }
     return all;
 }
 
 Checked checked(double value, const Bounded& truth) {
-    const double distance = std::abs(value - truth.value);
+    const double off = std::abs(value - truth.value);
+    const double distance = off == 0 ? truth.error : off;
     return {.value = value,
-            .error = Bounded::up(distance + truth.error),
+            .recorded = value,
+            .error = Bounded::up(off + truth.error),
             .truth = truth.value,
-            .distance = distance == 0 ? truth.error : distance,
-            .bits_lost = bits(distance == 0 ? truth.error : distance, value),
+            .distance = distance,
+            .bits_lost = std::isfinite(distance) ? bits(Long(distance), value, Precision::of<double>())
+                                                 : double(Precision::of<double>().digits),
             .sign = truth.value > 0   ? 1
                     : truth.value < 0 ? -1
                                       : 0,

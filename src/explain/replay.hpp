@@ -15,20 +15,27 @@ enum class Known {
 
 /// A step looked at again: what it computed, a guaranteed bound, and what the same steps give without any rounding.
 struct Checked {
-    double value = 0;      ///< as recorded
+    double value = 0;          ///< as recorded; a long double rounded to double
+    long double recorded = 0;  ///< the same, to the last digit
     double error = 0;      ///< |value − truth| is at most this, proven by running bounds; infinite: nothing is proven
     double truth = 0;      ///< the true value, rounded once
     double distance = 0;   ///< |value − truth|, rounded once
-    double bits_lost = 0;  ///< log2(ulps + 1), the distance in units of the value's last place; at most 53
+    double bits_lost = 0;  ///< log2(ulps + 1), the distance in units of the value's last place; at most its digits
     int sign = 0;          ///< of the truth
     Known known = Known::exactly;
 };
+
+/// A number that nothing more is asked of.
+inline Checked unchecked(long double recorded) {
+    const auto value = static_cast<double>(recorded);
+    return {.value = value, .recorded = recorded, .truth = value};
+}
 
 /// Does a tape's operations again, with bounds and without rounding. Inputs and constants are taken as exact. The truth
 /// of a comparison is whether it truly holds; its error is 0 where the bounds decide it, else 1.
 std::vector<Checked> replay(const Tape& tape);
 
-/// That of a value and a truth found elsewhere.
+/// That of a double and a truth found elsewhere.
 Checked checked(double value, const Bounded& truth);
 
 }  // namespace glassbox

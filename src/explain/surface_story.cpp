@@ -6,6 +6,7 @@
 
 #include "explain/heard.hpp"
 #include "explain/inputs.hpp"
+#include "explain/scalar_of_steps.hpp"
 #include "render/exact_crossing.hpp"
 
 namespace glassbox {
@@ -54,45 +55,49 @@ bool is_met(const Verdict& verdict, std::size_t number) {
 }
 
 /// A surface tested by a rule, each operation of it on tape.
+template <class Real>
 struct Tested {
-    Tape tape;
-    Heard heard;
-    Crossing<Recorded> crossing;
+    Tape tape{Precision::of<Real>()};
+    Heard<Real> heard;
+    Crossing<Recorded<Real>> crossing;
     std::vector<Checked> checked;
 
     template <class Surface, class Rule>
     Tested(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
-        crossing = intersect(input(tape, ray), input(tape, surface), rule, heard);
+        crossing = intersect(input<Real>(tape, ray), input<Real>(tape, surface), rule, heard);
     }
     Tested(const Tested&) = delete;  // the numbers know their tape by its address
     Tested& operator=(const Tested&) = delete;
 
     void replay() { checked = glassbox::replay(tape); }
 
-    Number operator()(const Recorded& number) const {
-        return number.tape() ? checked[number.step()] : Number{.value = number.value(), .truth = number.value()};
+    Number operator()(const Recorded<Real>& number) const {
+        return number.tape() ? checked[number.step()] : unchecked(number.value());
     }
-    std::optional<Number> operator()(const std::optional<Recorded>& number) const {
+    std::optional<Number> operator()(const std::optional<Recorded<Real>>& number) const {
         return number ? std::optional((*this)(*number)) : std::nullopt;
     }
 };
 
+template <class Real>
 RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const auto& rule) {
-    Tested tested(ray, sphere, rule);
+    Tested<Real> tested(ray, sphere, rule);
     tested.replay();
     return {tested(*tested.heard.discriminant), tested(tested.heard.t0), tested(tested.heard.t1)};
 }
 
+template <class Real>
 SphereTest test_of(const Ray<double>& ray, const Sphere<double>& sphere, const Options&) {
-    return {sphere.c, sphere.r, roots_by(ray, sphere, Textbook{}), roots_by(ray, sphere, Stable{})};
+    return {sphere.c, sphere.r, roots_by<Real>(ray, sphere, Textbook{}), roots_by<Real>(ray, sphere, Stable{})};
 }
 
+template <class Real>
 TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, const Options& options) {
     const auto* chosen = std::get_if<Tolerance>(&options.triangle_rule);
     const Tolerance rule = chosen ? *chosen : Tolerance{};
-    Tested tested(ray, triangle, rule);
-    const Heard& heard = tested.heard;
-    std::array<Recorded, 3> weights;
+    Tested<Real> tested(ray, triangle, rule);
+    const Heard<Real>& heard = tested.heard;
+    std::array<Recorded<Real>, 3> weights;
     const bool has_sum = heard.sum->value() != 0;
     if (has_sum) weights = {*heard.a / *heard.sum, *heard.b / *heard.sum, *heard.c / *heard.sum};
     tested.replay();
@@ -112,12 +117,12 @@ TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, c
 /// The sign that decided: the true one where the renderer proves it, else that of the computed number.
 int deciding_sign(const Number& number, const Options& options) {
     if (is_proven(options.scalar) && number.known != Known::not_at_all) return number.sign;
-    return number.value > 0 ? 1 : number.value < 0 ? -1 : 0;
+    return number.recorded > 0 ? 1 : number.recorded < 0 ? -1 : 0;
 }
 
 /// Whether a number that decides was lost to overflow; what is proven does not stand on it.
 bool is_lost(const Number& number, const Options& options) {
-    return !is_proven(options.scalar) && !std::isfinite(number.value);
+    return !is_proven(options.scalar) && !std::isfinite(number.recorded);
 }
 
 /// Why a sphere was missed.
@@ -149,22 +154,22 @@ Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Opti
 }
 
 /// t as the rule computed it, if it came to that.
-template <class Shape, class Rule>
+template <class Real, class Shape, class Rule>
 std::optional<Number> recorded_t(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
-    Tested tested(ray, shape, rule);
+    Tested<Real> tested(ray, shape, rule);
     if (!tested.crossing.t.tape()) return {};
     tested.replay();
     return tested(tested.crossing.t);
 }
 
-template <class Shape, class Rule>
+template <class Real, class Shape, class Rule>
 Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, const Options& options,
                 const Verdict& verdict, std::size_t number) {
     Surface result;
     result.number = number;
-    const auto test = test_of(ray, shape, options);
+    const auto test = test_of<Real>(ray, shape, options);
     result.test = test;
-    result.t = recorded_t(ray, shape, rule);
+    result.t = recorded_t<Real>(ray, shape, rule);
     const auto met = std::find_if(verdict.met.begin(), verdict.met.end(),
                                   [&](const Hit<double>& hit) { return hit.surface == number; });
     if (met == verdict.met.end()) {
@@ -175,7 +180,8 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     result.fate = verdict.nearest && verdict.nearest->surface == number ? Fate::nearest : Fate::farther;
     if (!result.t || result.t->value != met->t) {
         const std::optional<Exact> truth = exact_crossing(ray, shape, rule);
-        result.t = truth ? checked(met->t, truth->to_bounded()) : Number{.value = met->t, .known = Known::not_at_all};
+        result.t = truth ? checked(met->t, truth->to_bounded()) : unchecked(met->t);
+        if (!truth) result.t->known = Known::not_at_all;
     }
     return result;
 }
@@ -203,8 +209,12 @@ std::vector<std::size_t> worth_telling(const Surfaces<double>& surfaces, const V
 Surface surface_story(const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
                       std::size_t number) {
     const auto tell = [&](const auto& shape, const auto& rules) {
-        return std::visit([&](const auto& rule) { return tell_of(verdict.ray, shape, rule, options, verdict, number); },
-                          rules);
+        const auto by = [&](const auto& rule) {
+            return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
+                return tell_of<Real>(verdict.ray, shape, rule, options, verdict, number);
+            });
+        };
+        return std::visit(by, rules);
     };
     Surface result = with_surface(surfaces, number, [&]<class Shape>(const Shape& shape) {
         if constexpr (std::is_same_v<Shape, Sphere<double>>) return tell(shape, options.sphere_rule);

@@ -7,7 +7,10 @@
 #include <iterator>
 #include <string_view>
 
+#include "explain/scalar_of_steps.hpp"
 #include "explain/words.hpp"
+#include "render/option_names.hpp"
+#include "scene/shading_models.hpp"
 
 namespace glassbox {
 
@@ -53,7 +56,7 @@ std::string why(const Surface& surface, const Story& story) {
         case Fate::behind:
             return fmt::format("missed: behind the start, {} is not > 0", t());
         case Fate::overflow:
-            return "missed: a number that decides has grown beyond all doubles";
+            return "missed: a number that decides has grown too large for the scalar";
         case Fate::beyond_tolerance:
             return "missed: the difference is not under the tolerance";
         case Fate::refused:
@@ -97,10 +100,9 @@ void tell_pixel(Page& page, const Story& story) {
         page.line("verdict   {} {}, at t = {}", what, number, short_number(story.hit->t.value));
     }
     const Options& options = story.options;
-    page.line("computed  {}, spheres: {}, triangles: {}, stage {}", word(options.scalar), word(options.sphere_rule),
-              word(options.triangle_rule), options.stage);
-    if (options.scalar == Scalar::float_ || options.scalar == Scalar::long_double)
-        page.line("          verdict and colour are {}'s; the steps below are double's", word(options.scalar));
+    page.line("computed  {}, steps in {}, spheres: {}, triangles: {}, stage {}", name_of(options.scalar),
+              name_of(scalar_of_steps(options.scalar)), name_of(options.sphere_rule), written(options.triangle_rule),
+              options.stage);
     if (!story.command.empty()) page.line("again     {}", story.command);
 }
 
@@ -181,7 +183,7 @@ void tell_term(Page& page, std::string_view name, const Term& term, bool cut) {
 void tell_shade(Page& page, const Story& story, const Shade& shade) {
     const bool phong = shade.model == ShadingModel::phong;
     const bool cut = shade.model == ShadingModel::levental_2014;
-    page.heading(fmt::format("The light  {}, I = {}, e = {}", word(shade.model), short_number(shade.intensity),
+    page.heading(fmt::format("The light  {}, I = {}, e = {}", name_of(shade.model), short_number(shade.intensity),
                              short_number(shade.exponent)));
     page.line("l = {}  towards the light, of length 1", triple(shade.l));
     page.line("r = {}  towards the viewer, of length 1", triple(shade.r));
@@ -206,7 +208,7 @@ void tell_shade(Page& page, const Story& story, const Shade& shade) {
 }
 
 std::string operation(const FirstHit& hit, const Step& step) {
-    const auto value = [&](StepNumber number) { return short_number(hit.steps[number].step.value); };
+    const auto value = [&](StepNumber number) { return short_number(hit.steps[number].checked.value); };
     if (operands(step.operation) == 1) return fmt::format("{} {}", word(step.operation), value(step.left));
     return fmt::format("{} {} {}", value(step.left), word(step.operation), value(step.right));
 }
@@ -220,9 +222,12 @@ void tell_losses(Page& page, const FirstHit& hit) {
         return;
     }
     const auto& [step, name, checked] = hit.steps[*hit.worst];
-    page.line("the most was lost by  {} = {}{}", operation(hit, step), short_number(step.value),
+    page.line("the most was lost by  {} = {}{}", operation(hit, step), short_number(checked.value),
               name.empty() ? "" : fmt::format("  ({})", name));
-    page.line("{:<21} {:.1f} bits, at {}:{}", "", hit.worst_loss, source(step.file), step.line);
+    const std::string place = step.operation == Operation::round
+                                  ? "when the scene's number was rounded to the scalar"
+                                  : fmt::format("at {}:{}", source(step.file), step.line);
+    page.line("{:<21} {:.1f} bits, {}", "", hit.worst_loss, place);
     page.line("{:<21} truly {:.17g}, computed {:.17g}", "", checked.truth, checked.value);
 }
 

@@ -1,7 +1,5 @@
 #include "explain/words.hpp"
 
-#include <fmt/format.h>
-
 namespace glassbox {
 
 std::string_view word(Operation operation) {
@@ -10,6 +8,8 @@ std::string_view word(Operation operation) {
             return "input";
         case Operation::constant:
             return "constant";
+        case Operation::round:
+            return "round";
         case Operation::add:
             return "+";
         case Operation::subtract:
@@ -89,41 +89,6 @@ std::string_view word(story::Fate fate) {
             return "refused";
     }
     return "";
-}
-
-std::string_view word(ShadingModel model) {
-    switch (model) {
-        case ShadingModel::phong:
-            return "phong";
-        case ShadingModel::blinn_phong:
-            return "blinn-phong";
-        case ShadingModel::levental_2014:
-            return "levental-2014";
-    }
-    return "";
-}
-
-std::string_view word(Scalar scalar) {
-    switch (scalar) {
-        case Scalar::certified:
-            return "certified";
-        case Scalar::float_:
-            return "float";
-        case Scalar::double_:
-            return "double";
-        case Scalar::long_double:
-            return "long-double";
-        case Scalar::exact:
-            return "exact";
-    }
-    return "";
-}
-
-std::string_view word(const SphereRule& rule) { return std::holds_alternative<Textbook>(rule) ? "textbook" : "stable"; }
-
-std::string word(const TriangleRule& rule) {
-    if (const auto* tolerance = std::get_if<Tolerance>(&rule)) return fmt::format("tolerance:{}", tolerance->tolerance);
-    return std::holds_alternative<MoellerTrumbore>(rule) ? "moeller-trumbore" : "pluecker";
 }
 
 std::string_view source(std::string_view file) {

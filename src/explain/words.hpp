@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <string_view>
 
 #include "explain/story.hpp"
@@ -12,10 +11,6 @@ std::string_view word(Operation operation);
 std::string_view word(Known known);
 std::string_view word(story::Kind kind);
 std::string_view word(story::Fate fate);
-std::string_view word(ShadingModel model);
-std::string_view word(Scalar scalar);
-std::string_view word(const SphereRule& rule);
-std::string word(const TriangleRule& rule);
 
 /// "core/2-spheres/sphere.hpp": a file of ours, from the folder `src` on.
 std::string_view source(std::string_view file);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cassert>
 #include <cmath>
 #include <concepts>
 #include <string>
@@ -11,6 +12,7 @@
 
 namespace glassbox {
 
+template <class Real>
 class Operand;
 
 /// What comparing two recorded numbers answers: a bool, of a type of its own because `&` of two calls that write on a
@@ -23,26 +25,35 @@ struct RecordedTruth {
     friend constexpr RecordedTruth operator&(RecordedTruth a, RecordedTruth b) { return a.truth && b.truth; }
 };
 
-/// A double that writes down where it comes from: each operation with it becomes a step of its tape, with its operands,
-/// its result and the line of source that asked for it. The results are a double's own, bit for bit, and comparisons
-/// answer what a double's would, so that a formula goes the same way as in the picture.
+/// A float, double or long double that writes down where it comes from: each operation with it becomes a step of its
+/// tape, with its operands, its result and the line of source that asked for it. The results are the scalar's own, bit
+/// for bit, and comparisons answer what the scalar's would, so that a formula goes the same way as in the picture.
 ///
 /// Numbers without a tape are constants. The tape must outlive its numbers.
+template <class Real>
 class Recorded {
 public:
+    using Last = Operand<Real>;
+
     constexpr Recorded() = default;
     template <class Number>
     requires std::is_arithmetic_v<Number>
-    constexpr Recorded(Number constant) : value_(static_cast<double>(constant)) {}
+    constexpr Recorded(Number constant) : value_(static_cast<Real>(constant)) {}
 
-    /// A number that comes from outside, by name.
-    static Recorded input(Tape& tape, double value, std::string name) {
-        const Recorded number(value, &tape, tape.append({.operation = Operation::input, .value = value}));
-        tape.name(number.step_, std::move(name));
-        return number;
+    /// A number that comes from outside, by name. Where the scalar cannot hold it, rounding it is a step, too.
+    static Recorded input(Tape& tape, double value, const std::string& name) {
+        assert(tape.precision() == Precision::of<Real>());
+        const StepNumber given = tape.append({.operation = Operation::input, .value = value});
+        tape.name(given, name);
+        const auto rounded = static_cast<Real>(value);
+        if (!(static_cast<double>(rounded) < value || static_cast<double>(rounded) > value))
+            return {rounded, &tape, given};
+        const StepNumber step = tape.append({Operation::round, given, given, rounded});
+        tape.name(step, name);
+        return {rounded, &tape, step};
     }
 
-    double value() const { return value_; }
+    Real value() const { return value_; }
     /// Null for a constant.
     Tape* tape() const { return tape_; }
     StepNumber step() const { return step_; }
@@ -51,65 +62,87 @@ public:
     requires std::is_arithmetic_v<Number>
     explicit operator Number() const { return static_cast<Number>(value_); }
 
-    friend Recorded operator+(const Recorded& a, const Operand& b);
-    friend Recorded operator-(const Recorded& a, const Operand& b);
-    friend Recorded operator*(const Recorded& a, const Operand& b);
-    friend Recorded operator/(const Recorded& a, const Operand& b);
-    friend Recorded operator-(const Operand& a);
-    friend Recorded sqrt(const Operand& a);
-    friend Recorded abs(const Operand& a);
-    friend Recorded pow(const Recorded& a, const Operand& b);
+    friend Recorded operator+(const Recorded& a, const Last& b) {
+        return b.result(a, Operation::add, a.value_ + b.value());
+    }
+    friend Recorded operator-(const Recorded& a, const Last& b) {
+        return b.result(a, Operation::subtract, a.value_ - b.value());
+    }
+    friend Recorded operator*(const Recorded& a, const Last& b) {
+        return b.result(a, Operation::multiply, a.value_ * b.value());
+    }
+    friend Recorded operator/(const Recorded& a, const Last& b) {
+        return b.result(a, Operation::divide, a.value_ / b.value());
+    }
+    friend Recorded operator-(const Last& a) { return a.result(Operation::negate, -a.value()); }
+    friend Recorded sqrt(const Last& a) { return a.result(Operation::square_root, std::sqrt(a.value())); }
+    friend Recorded abs(const Last& a) { return a.result(Operation::absolute, std::abs(a.value())); }
+    friend Recorded pow(const Recorded& a, const Last& b) {
+        return b.result(a, Operation::power, std::pow(a.value_, b.value()));
+    }
 
-    friend RecordedTruth operator<(const Recorded& a, const Operand& b);
-    friend RecordedTruth operator>(const Recorded& a, const Operand& b);
-    friend RecordedTruth operator<=(const Recorded& a, const Operand& b);
-    friend RecordedTruth operator>=(const Recorded& a, const Operand& b);
-    friend RecordedTruth operator==(const Operand& a, const Operand& b);
-    friend RecordedTruth operator!=(const Operand& a, const Operand& b);
+    friend RecordedTruth operator<(const Recorded& a, const Last& b) {
+        return b.compared(a, Operation::less, a.value_ < b.value());
+    }
+    friend RecordedTruth operator>(const Recorded& a, const Last& b) {
+        return b.compared(a, Operation::greater, a.value_ > b.value());
+    }
+    friend RecordedTruth operator<=(const Recorded& a, const Last& b) {
+        return b.compared(a, Operation::less_equal, a.value_ <= b.value());
+    }
+    friend RecordedTruth operator>=(const Recorded& a, const Last& b) {
+        return b.compared(a, Operation::greater_equal, a.value_ >= b.value());
+    }
+    friend RecordedTruth operator==(const Last& a, const Last& b) {
+        return b.compared(a, Operation::equal, a.value() == b.value());
+    }
+    friend RecordedTruth operator!=(const Last& a, const Last& b) {
+        return b.compared(a, Operation::not_equal, a.value() != b.value());
+    }
 
 private:
-    friend class Operand;
-    constexpr Recorded(double value, Tape* tape, StepNumber step) : value_(value), tape_(tape), step_(step) {}
+    friend Last;
+    constexpr Recorded(Real value, Tape* tape, StepNumber step) : value_(value), tape_(tape), step_(step) {}
 
     /// Where the number stands on a tape: a constant is written down first.
     StepNumber step_on(Tape& tape) const {
         return tape_ ? step_ : tape.append({.operation = Operation::constant, .value = value_});
     }
 
-    double value_ = 0;
+    Real value_ = 0;
     Tape* tape_ = nullptr;
     StepNumber step_ = 0;
 };
 
 /// The last operand of an operation. It is made where the operation stands, and so knows the file and the line.
+template <class Real>
 class Operand {
 public:
     // __builtin_FILE and __builtin_LINE are what std::source_location stands on; not all our compilers have that.
     template <class Number>
-    requires std::is_arithmetic_v<Number> || std::same_as<Number, Recorded> Operand(const Number& number,
-                                                                                    const char* file = __builtin_FILE(),
-                                                                                    int line = __builtin_LINE())
+    requires std::is_arithmetic_v<Number> || std::same_as<Number, Recorded<Real>> Operand(
+        const Number& number, const char* file = __builtin_FILE(), int line = __builtin_LINE())
         : number_(number), file_(file), line_(line) {}
 
-    double value() const { return number_.value_; }
+    Real value() const { return number_.value_; }
 
     /// The result of an operation with this operand alone.
-    Recorded result(Operation operation, double value) const {
+    Recorded<Real> result(Operation operation, Real value) const {
         Tape* const tape = number_.tape_;
         if (!tape) return value;
         return {value, tape, tape->append({operation, number_.step_, number_.step_, value, file_, line_})};
     }
 
     /// The result of an operation with another operand before it.
-    Recorded result(const Recorded& left, Operation operation, double value) const {
+    Recorded<Real> result(const Recorded<Real>& left, Operation operation, Real value) const {
         Tape* const tape = left.tape_ ? left.tape_ : number_.tape_;
         if (!tape) return value;
         const StepNumber a = left.step_on(*tape), b = number_.step_on(*tape);
         return {value, tape, tape->append({operation, a, b, value, file_, line_})};
     }
 
-    RecordedTruth compared(const Recorded& left, Operation operation, bool truth) const {
-        result(left, operation, truth ? 1 : 0);
+    RecordedTruth compared(const Recorded<Real>& left, Operation operation, bool truth) const {
+        result(left, operation, truth ? Real(1) : Real(0));
         return truth;
     }
     RecordedTruth compared(const Operand& left, Operation operation, bool truth) const {
@@ -117,60 +150,26 @@ public:
     }
 
 private:
-    Recorded number_;
+    Recorded<Real> number_;
     const char* file_;
     int line_;
 };
 
-inline Recorded operator+(const Recorded& a, const Operand& b) {
-    return b.result(a, Operation::add, a.value_ + b.value());
-}
-inline Recorded operator-(const Recorded& a, const Operand& b) {
-    return b.result(a, Operation::subtract, a.value_ - b.value());
-}
-inline Recorded operator*(const Recorded& a, const Operand& b) {
-    return b.result(a, Operation::multiply, a.value_ * b.value());
-}
-inline Recorded operator/(const Recorded& a, const Operand& b) {
-    return b.result(a, Operation::divide, a.value_ / b.value());
-}
-inline Recorded operator-(const Operand& a) { return a.result(Operation::negate, -a.value()); }
-inline Recorded sqrt(const Operand& a) { return a.result(Operation::square_root, std::sqrt(a.value())); }
-inline Recorded abs(const Operand& a) { return a.result(Operation::absolute, std::abs(a.value())); }
-inline Recorded pow(const Recorded& a, const Operand& b) {
-    return b.result(a, Operation::power, std::pow(a.value_, b.value()));
-}
-
-inline RecordedTruth operator<(const Recorded& a, const Operand& b) {
-    return b.compared(a, Operation::less, a.value_ < b.value());
-}
-inline RecordedTruth operator>(const Recorded& a, const Operand& b) {
-    return b.compared(a, Operation::greater, a.value_ > b.value());
-}
-inline RecordedTruth operator<=(const Recorded& a, const Operand& b) {
-    return b.compared(a, Operation::less_equal, a.value_ <= b.value());
-}
-inline RecordedTruth operator>=(const Recorded& a, const Operand& b) {
-    return b.compared(a, Operation::greater_equal, a.value_ >= b.value());
-}
-inline RecordedTruth operator==(const Operand& a, const Operand& b) {
-    return b.compared(a, Operation::equal, a.value() == b.value());
-}
-inline RecordedTruth operator!=(const Operand& a, const Operand& b) {
-    return b.compared(a, Operation::not_equal, a.value() != b.value());
-}
-
 /// A vector of inputs: "P" gives "P.x", "P.y" and "P.z".
-inline Vec3<Recorded> input(Tape& tape, const Vec3<double>& v, const std::string& name) {
-    return {Recorded::input(tape, v.x, name + ".x"), Recorded::input(tape, v.y, name + ".y"),
-            Recorded::input(tape, v.z, name + ".z")};
+template <class Real>
+Vec3<Recorded<Real>> input(Tape& tape, const Vec3<double>& v, const std::string& name) {
+    using Number = Recorded<Real>;
+    return {Number::input(tape, v.x, name + ".x"), Number::input(tape, v.y, name + ".y"),
+            Number::input(tape, v.z, name + ".z")};
 }
 
 /// Gives a number that a formula tells of its name.
-inline void name(const Recorded& number, std::string name) {
+template <class Real>
+void name(const Recorded<Real>& number, std::string name) {
     if (number.tape()) number.tape()->name(number.step(), std::move(name));
 }
-inline void name(const Vec3<Recorded>& v, const std::string& its_name) {
+template <class Real>
+void name(const Vec3<Recorded<Real>>& v, const std::string& its_name) {
     name(v.x, its_name + ".x");
     name(v.y, its_name + ".y");
     name(v.z, its_name + ".z");

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@ namespace glassbox {
 enum class Operation : std::uint8_t {
     input,
     constant,
+    round,
     add,
     subtract,
     multiply,
@@ -33,6 +35,7 @@ constexpr int operands(Operation operation) {
         case Operation::input:
         case Operation::constant:
             return 0;
+        case Operation::round:
         case Operation::negate:
         case Operation::square_root:
         case Operation::absolute:
@@ -47,18 +50,35 @@ constexpr bool is_comparison(Operation operation) { return operation >= Operatio
 /// A step of a tape, counted from its start.
 using StepNumber = std::uint32_t;
 
+/// How finely a scalar can write a number: `digits` bits, and as many for all numbers of 2^min_exponent / 2 and more.
+struct Precision {
+    int digits, min_exponent;
+
+    template <class Real>
+    static constexpr Precision of() {
+        return {std::numeric_limits<Real>::digits, std::numeric_limits<Real>::min_exponent};
+    }
+    constexpr bool operator==(const Precision&) const = default;
+};
+
 /// One operation: its operands are earlier steps. A comparison's value is 1 where it holds and 0 where it does not.
 struct Step {
     Operation operation = Operation::input;
     StepNumber left = 0, right = 0;
-    double value = 0;
-    const char* file = "";  ///< the source that asked for it; none for inputs and constants
+    long double value = 0;  ///< of whatever scalar: a long double holds them all exactly
+    const char* file = "";  ///< the source that asked for it; none for inputs, their rounding, and constants
     int line = 0;
 };
 
-/// All operations of a computation, in the order in which they were done, with the names that some were given.
+/// All operations of a computation in one scalar, in the order in which they were done, with the names that some were
+/// given.
 class Tape {
 public:
+    explicit Tape(Precision precision = Precision::of<double>()) : precision_(precision) {}
+
+    /// That of the scalar.
+    Precision precision() const { return precision_; }
+
     StepNumber append(const Step& step) {
         steps_.push_back(step);
         return static_cast<StepNumber>(steps_.size() - 1);
@@ -79,6 +99,7 @@ public:
     }
 
 private:
+    Precision precision_;
     std::vector<Step> steps_;
     std::vector<std::pair<StepNumber, std::string>> names_;
 };

@@ -36,7 +36,9 @@ TEST_CASE("all fields, and no others") {
     CHECK(story["verdict"] == "hit");
     CHECK(story["pixel"] == Json{350, 149});
     CHECK(story["color"] == Json{72, 255, 41});
-    check_has(story["options"], {"stage", "scalar", "sphere", "triangle"});
+    check_has(story["options"], {"stage", "scalar", "steps_in", "sphere", "triangle"});
+    CHECK(story["options"]["scalar"] == "certified");
+    CHECK(story["options"]["steps_in"] == "double");
     check_has(story["ray"], {"P", "P_hex", "D", "D_hex"});
     CHECK(story["ray"]["P_hex"][0] == "0x1.f4p+8");
 
@@ -80,6 +82,18 @@ TEST_CASE("numbers come back to the bit") {
     CHECK(parsed["hit"]["t"]["error"].get<double>() == story.hit->t.error);
     CHECK(parsed["ray"]["D"][1].get<double>() == story.ray.D.y);
     CHECK(std::strtod(parsed["hit"]["t"]["hex"].get<std::string>().c_str(), nullptr) == story.hit->t.value);
+}
+
+TEST_CASE("a long double comes back from its hex to the bit") {
+    Options options;
+    options.scalar = Scalar::long_double;
+    const Scene scene = read_scene(SCENES "/levental-2014.toml");
+    const Story story = explain(scene, options, 333, 138);
+    const Json parsed = Json::parse(to_json(story));
+    CHECK(parsed["options"]["steps_in"] == "long-double");
+    const std::string hex = parsed["hit"]["normal"][0]["hex"];
+    CHECK(std::strtold(hex.c_str(), nullptr) == story.hit->normal.x.recorded);
+    CHECK(parsed["hit"]["normal"][0]["value"].get<double>() == story.hit->normal.x.value);
 }
 
 TEST_CASE("background and border") {

@@ -18,9 +18,9 @@ template <class Rule, class Shape>
 void check_same(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
     const Silent silent;
     Tape tape;
-    const Ray<Recorded> recorded{input(tape, ray.P, "P"), input(tape, ray.D, "D")};
+    const Ray<Recorded<double>> recorded{input<double>(tape, ray.P, "P"), input<double>(tape, ray.D, "D")};
     const Crossing<double> plain = intersect(ray, shape, rule, silent);
-    const Crossing<Recorded> on_tape = intersect(recorded, convert<Recorded>(shape), rule, silent);
+    const Crossing<Recorded<double>> on_tape = intersect(recorded, convert<Recorded<double>>(shape), rule, silent);
     CHECK(plain.met == on_tape.met);
     CHECK(plain.t == on_tape.t.value());
 }
@@ -29,8 +29,8 @@ void check_same(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
 
 TEST_CASE("a step keeps its operation, its operands and its value") {
     Tape tape;
-    const Recorded x = Recorded::input(tape, 3, "x"), y = Recorded::input(tape, 4, "y");
-    const Recorded r = sqrt(x * x + y * y);
+    const Recorded<double> x = Recorded<double>::input(tape, 3, "x"), y = Recorded<double>::input(tape, 4, "y");
+    const Recorded<double> r = sqrt(x * x + y * y);
     name(r, "r");
     CHECK(r.value() == 5);
     REQUIRE(tape.steps().size() == 6);
@@ -53,7 +53,7 @@ TEST_CASE("a step keeps its operation, its operands and its value") {
 TEST_CASE("each operation gives what a double gives") {
     Tape tape;
     const double a = 0.7, b = -2.3;
-    const Recorded x = Recorded::input(tape, a, "x"), y = Recorded::input(tape, b, "y");
+    const Recorded<double> x = Recorded<double>::input(tape, a, "x"), y = Recorded<double>::input(tape, b, "y");
     CHECK((x + y).value() == a + b);
     CHECK((x - y).value() == a - b);
     CHECK((x * y).value() == a * b);
@@ -68,14 +68,14 @@ TEST_CASE("each operation gives what a double gives") {
 
 TEST_CASE("comparisons answer as a double's do, and are on the tape") {
     Tape tape;
-    const Recorded x = Recorded::input(tape, 1, "x"), y = Recorded::input(tape, 2, "y");
+    const Recorded<double> x = Recorded<double>::input(tape, 1, "x"), y = Recorded<double>::input(tape, 2, "y");
     CHECK(x < y);
     CHECK_FALSE(x > y);
     CHECK(x <= 1);
     CHECK(x >= 1);
     CHECK(x != y);
     CHECK_FALSE(x == y);
-    const Recorded nan = Recorded::input(tape, std::nan(""), "nan");
+    const Recorded<double> nan = Recorded<double>::input(tape, std::nan(""), "nan");
     CHECK_FALSE(nan < y);
     CHECK_FALSE(nan == nan);
     std::size_t comparisons = 0;
@@ -84,12 +84,12 @@ TEST_CASE("comparisons answer as a double's do, and are on the tape") {
 }
 
 TEST_CASE("constants have no tape, and are written down where they meet one that has") {
-    const Recorded half = 0.5, three(3);
+    const Recorded<double> half = 0.5, three(3);
     CHECK((half * three).value() == 1.5);
     CHECK((half * three).tape() == nullptr);
     Tape tape;
-    const Recorded x = Recorded::input(tape, 4, "x");
-    const Recorded y = half * x;
+    const Recorded<double> x = Recorded<double>::input(tape, 4, "x");
+    const Recorded<double> y = half * x;
     CHECK(y.tape() == &tape);
     CHECK(tape[tape[y.step()].left].operation == Operation::constant);
     CHECK(tape[tape[y.step()].left].value == 0.5);
@@ -97,9 +97,9 @@ TEST_CASE("constants have no tape, and are written down where they meet one that
 
 TEST_CASE("a step knows the line that asked for it") {
     Tape tape;
-    const Recorded x = Recorded::input(tape, 2, "x");
+    const Recorded<double> x = Recorded<double>::input(tape, 2, "x");
     const int here = __LINE__ + 1;
-    const Recorded y = x * x;
+    const Recorded<double> y = x * x;
     CHECK(tape[y.step()].line == here);
     CHECK(std::string_view(tape[y.step()].file) == __FILE__);
 }
@@ -107,9 +107,10 @@ TEST_CASE("a step knows the line that asked for it") {
 TEST_CASE("the core's formulas, run on tape: every operation is in a file of the core") {
     Tape tape;
     const Silent silent;
-    const Ray<Recorded> ray{input(tape, {500, 350, 350}, "P"), input(tape, {-1, 0, 0}, "D")};
-    const Sphere<Recorded> sphere{input(tape, {100, 350, 350}, "c"), Recorded::input(tape, 50, "r")};
-    const Crossing<Recorded> crossing = intersect(ray, sphere, Textbook{}, silent);
+    const Ray<Recorded<double>> ray{input<double>(tape, {500, 350, 350}, "P"), input<double>(tape, {-1, 0, 0}, "D")};
+    const Sphere<Recorded<double>> sphere{input<double>(tape, {100, 350, 350}, "c"),
+                                          Recorded<double>::input(tape, 50, "r")};
+    const Crossing<Recorded<double>> crossing = intersect(ray, sphere, Textbook{}, silent);
     CHECK(crossing.t.value() == 350);
     const std::string_view file = tape[crossing.t.step()].file;
     CHECK(file.ends_with("core/2-spheres/sphere.hpp"));

@@ -34,9 +34,9 @@ void check_bounds(const Tape& tape) {
 // 2^51 of its last places, of 2^-106 each.
 TEST_CASE("0.1 + 0.2 - 0.3: one rounding, and 51 bits are lost") {
     Tape tape;
-    const Recorded a = Recorded::input(tape, 0.1, "a"), b = Recorded::input(tape, 0.2, "b");
-    const Recorded sum = a + b;
-    const Recorded difference = sum - Recorded::input(tape, 0.3, "c");
+    const Recorded<double> a = Recorded<double>::input(tape, 0.1, "a"), b = Recorded<double>::input(tape, 0.2, "b");
+    const Recorded<double> sum = a + b;
+    const Recorded<double> difference = sum - Recorded<double>::input(tape, 0.3, "c");
     const std::vector<Checked> checked = replay(tape);
     const Checked& last = checked[difference.step()];
     CHECK(last.value == 0x1p-54);
@@ -53,8 +53,9 @@ TEST_CASE("0.1 + 0.2 - 0.3: one rounding, and 51 bits are lost") {
 
 TEST_CASE("one root is exact, a root of a root is a long float, and a division by 0 is nothing") {
     Tape tape;
-    const Recorded two = Recorded::input(tape, 2, "two"), zero = Recorded::input(tape, 0, "zero");
-    const Recorded root = sqrt(two), nested = sqrt(1 + root), none = two / zero, square = root * root - two;
+    const Recorded<double> two = Recorded<double>::input(tape, 2, "two"),
+                           zero = Recorded<double>::input(tape, 0, "zero");
+    const Recorded<double> root = sqrt(two), nested = sqrt(1 + root), none = two / zero, square = root * root - two;
     const std::vector<Checked> checked = replay(tape);
     CHECK(checked[root.step()].known == Known::exactly);
     CHECK(checked[nested.step()].known == Known::to_long_float);
@@ -69,8 +70,8 @@ TEST_CASE("one root is exact, a root of a root is a long float, and a division b
 
 TEST_CASE("powers: within bounds, whatever is not known of the base") {
     Tape tape;
-    const Recorded third = Recorded::input(tape, 1, "1") / 3;
-    const Recorded power = pow(third, 15);  // 3^-15 = 1/14348907
+    const Recorded<double> third = Recorded<double>::input(tape, 1, "1") / 3;
+    const Recorded<double> power = pow(third, 15);  // 3^-15 = 1/14348907
     const std::vector<Checked> checked = replay(tape);
     CHECK_ULPS(checked[power.step()].truth, 1.0 / 14348907, 1.0);
     CHECK(checked[power.step()].distance <= checked[power.step()].error);
@@ -79,7 +80,8 @@ TEST_CASE("powers: within bounds, whatever is not known of the base") {
 
 TEST_CASE("whether a comparison truly holds, and whether the bounds know it") {
     Tape tape;
-    const Recorded sum = Recorded::input(tape, 0.1, "a") + Recorded::input(tape, 0x1p-60, "tiny");
+    const Recorded<double> sum =
+        Recorded<double>::input(tape, 0.1, "a") + Recorded<double>::input(tape, 0x1p-60, "tiny");
     CHECK_FALSE(sum > 0.1);
     CHECK(sum > 0.05);
     const std::vector<Checked> checked = replay(tape);
@@ -94,7 +96,7 @@ TEST_CASE("whether a comparison truly holds, and whether the bounds know it") {
     CHECK(comparisons[1].error == 0);
 }
 
-TEST_CASE("bounds hold on every step of the core's formulas") {
+TEST_CASE_TEMPLATE("bounds hold on every step of the core's formulas", Real, float, double, long double) {
     std::mt19937_64 random(1105);
     std::uniform_real_distribution<double> coordinate(-1, 1);
     const auto vector = [&](double size) {
@@ -102,21 +104,69 @@ TEST_CASE("bounds hold on every step of the core's formulas") {
     };
     const Silent silent;
     for (int i = 0; i < 40; ++i) {
-        Tape tape;
+        Tape tape(Precision::of<Real>());
         const double size = std::ldexp(1.0, 8 * (i % 5) - 16);
-        const Ray<Recorded> ray{input(tape, vector(size), "P"), input(tape, vector(1), "D")};
-        const Sphere<Recorded> sphere{input(tape, vector(1), "c"), Recorded::input(tape, 0.5, "r")};
-        const Crossing<Recorded> crossing = intersect(ray, sphere, Stable{}, silent);
+        const Ray<Recorded<Real>> ray{input<Real>(tape, vector(size), "P"), input<Real>(tape, vector(1), "D")};
+        const Sphere<Recorded<Real>> sphere{input<Real>(tape, vector(1), "c"), Recorded<Real>::input(tape, 0.5, "r")};
+        const Crossing<Recorded<Real>> crossing = intersect(ray, sphere, Stable{}, silent);
         intersect(ray, sphere, Textbook{}, silent);
-        const Triangle<Recorded> triangle{input(tape, vector(1), "A"), input(tape, vector(1), "B"),
-                                          input(tape, vector(size), "C")};
+        const Triangle<Recorded<Real>> triangle{input<Real>(tape, vector(1), "A"), input<Real>(tape, vector(1), "B"),
+                                                input<Real>(tape, vector(size), "C")};
         intersect(ray, triangle, Pluecker{}, silent);
         intersect(ray, triangle, Tolerance{}, silent);
         intersect(ray, triangle, MoellerTrumbore{}, silent);
-        const Vec3<Recorded> n = crossing.met ? normal(sphere, at(ray, crossing.t)) : normal(triangle);
-        const Shading<Recorded> shading{ShadingModel::blinn_phong, .2, 1, .2, 15, {255, 102, 102}, {255, 255, 255}};
-        const Light<Recorded> light = directional_light(input(tape, vector(100), "L"), 1);
+        const Vec3<Recorded<Real>> n = crossing.met ? normal(sphere, at(ray, crossing.t)) : normal(triangle);
+        const Shading<Recorded<Real>> shading{
+            ShadingModel::blinn_phong, .2, 1, .2, 15, {255, 102, 102}, {255, 255, 255}};
+        const Light<Recorded<Real>> light = directional_light(input<Real>(tape, vector(100), "L"), 1);
         shade(n, unit(-ray.D), {10, 200, 30}, light, shading, silent);
         check_bounds(tape);
+    }
+}
+
+// 0.1 is no float: the scene's double is rounded when it becomes one. 1/3 = 0x0.555... is, in any number of bits, a
+// third of the last place off. By the case above 3·0.1 − 0.3 is 2^-55 for these doubles. In float it is 0: 3·0.1 rounds
+// to the float nearest to 0.3. So no bit of it is right.
+TEST_CASE("in float, bits are float's, and rounding an input to float is a step") {
+    Tape tape(Precision::of<float>());
+    const auto tenth = Recorded<float>::input(tape, 0.1, "tenth"), three = Recorded<float>::input(tape, 3, "three");
+    CHECK(tenth.value() == 0.1F);
+    CHECK(tape[tenth.step()].operation == Operation::round);
+    CHECK(tape[tape[tenth.step()].left].value == 0.1);
+    CHECK(tape[three.step()].operation == Operation::input);
+    const auto third = 1 / three, nothing = three - 3,
+               lost = (tenth * three - Recorded<float>::input(tape, 0.3, "0.3"));
+    CHECK(third.value() == 1 / 3.0F);
+    const std::vector<Checked> checked = replay(tape);
+    CHECK(checked[tenth.step()].truth == 0.1);
+    CHECK(checked[tenth.step()].bits_lost > 0);
+    CHECK(checked[tenth.step()].bits_lost <= std::log2(1.5));  // rounding is off by half a unit at most
+    CHECK(checked[third.step()].bits_lost == doctest::Approx(std::log2(1 + 1 / 3.0)).epsilon(1e-6));
+    CHECK(checked[nothing.step()].bits_lost == 0);
+    CHECK(checked[lost.step()].value == 0);
+    CHECK(checked[lost.step()].truth == 0x1p-55);
+    CHECK(checked[lost.step()].bits_lost == 24);
+    for (const Checked& step : checked) CHECK(step.distance <= step.error);
+}
+
+// 1/3 is again a third of the last place off. 3e600 and 3e-600 are beyond a double, and may be none beyond a long
+// double: two roundings of half a unit each make less than 2 bits.
+TEST_CASE("in long double, bits are long double's, and its tape has all of them") {
+    Tape tape(Precision::of<long double>());
+    const auto three = Recorded<long double>::input(tape, 3, "three");
+    const auto third = 1 / three, large = three * 1e300 * 1e300, small = three * 1e-300 * 1e-300;
+    CHECK(tape[third.step()].value == 1 / 3.0L);
+    const std::vector<Checked> checked = replay(tape);
+    CHECK(checked[third.step()].recorded == 1 / 3.0L);
+    CHECK(checked[third.step()].value == 1 / 3.0);
+    CHECK(checked[third.step()].bits_lost == doctest::Approx(std::log2(1 + 1 / 3.0)).epsilon(1e-6));
+    CHECK(checked[third.step()].distance <= checked[third.step()].error);
+    if (std::numeric_limits<long double>::max_exponent > std::numeric_limits<double>::max_exponent) {
+        CHECK(std::isinf(checked[large.step()].value));
+        CHECK(std::isfinite(checked[large.step()].recorded));
+        CHECK(checked[large.step()].bits_lost < 2);
+        CHECK(checked[small.step()].value == 0);
+        CHECK(checked[small.step()].recorded > 0);
+        CHECK(checked[small.step()].bits_lost < 2);
     }
 }

@@ -3,6 +3,7 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "explain/explain.hpp"
 #include "scene/scene_file.hpp"
@@ -154,7 +155,8 @@ TEST_CASE("surfaces behind the start are missed, and it says so") {
     CHECK(corner.surfaces[2].t->value == -200);
 }
 
-// Side products of 1e400 are beyond all doubles: a double's verdict is lost, and the story says why.
+// Side products of 1e400 are beyond all doubles: a double's verdict is lost, and the story says why. Many a
+// long double holds them.
 TEST_CASE("numbers beyond all doubles") {
     Scene scene = read_scene(SCENES "/levental-2014.toml");
     scene.spheres.clear();
@@ -169,6 +171,11 @@ TEST_CASE("numbers beyond all doubles") {
     CHECK(certified.surfaces.at(0).needed_exact);
     CHECK(certified.hit->t_by_exact);
     CHECK(certified.hit->t.value == 500);
+    if (std::numeric_limits<long double>::max_exponent < 2000) return;
+    options.scalar = Scalar::long_double;
+    const Story in_long_double = explain(scene, options, 300, 200);
+    CHECK(in_long_double.surfaces.at(0).fate == Fate::nearest);
+    CHECK(in_long_double.hit->t.value == 500);
 }
 
 // The far sphere's Δ = r² = 1e-360 is no double: what is left of it is 0, and no bit of that is right.
@@ -213,4 +220,26 @@ TEST_CASE("every bound of a story holds") {
         for (const StoryStep& step : story.hit->steps)
             if (step.checked.known != Known::not_at_all) CHECK(step.checked.distance <= step.checked.error);
     }
+}
+
+// The tape is the scalar's own: float's t is a float, found by the steps and by nothing else, whatever double would
+// get.
+TEST_CASE("in float the story is float's") {
+    Options options;
+    options.scalar = Scalar::float_;
+    int other_than_doubles = 0;
+    for (const auto& [column, row] : {std::pair{350, 350}, {375, 115}, {310, 290}, {333, 361}, {399, 349}}) {
+        const Story story = tell(column, row, options);
+        REQUIRE(story.hit);
+        CHECK_FALSE(story.hit->t_by_exact);
+        CHECK(static_cast<double>(static_cast<float>(story.hit->t.value)) == story.hit->t.value);
+        CHECK(story.hit->t.bits_lost <= 24);
+        for (const StoryStep& step : story.hit->steps) {
+            if (step.checked.known != Known::not_at_all) CHECK(step.checked.distance <= step.checked.error);
+            if (step.step.operation == Operation::input) continue;
+            CHECK(static_cast<long double>(static_cast<float>(step.step.value)) == step.step.value);
+        }
+        other_than_doubles += story.hit->t.value != tell(column, row).hit->t.value;
+    }
+    CHECK(other_than_doubles > 0);
 }

@@ -40,6 +40,17 @@ TEST_CASE("a triangle's pixel, seen through a corner") {
                "b = 0 exact", "the paper's rule says hit", "the paper's rule says miss", "weights  A: 1  B: 0  C: 0"});
 }
 
+TEST_CASE("whose arithmetic it is") {
+    Options options;
+    options.scalar = Scalar::float_;
+    const std::string in_float = text("levental-2014.toml", 333, 138, options);
+    check_has(in_float, {"computed  float, steps in float"});
+    CHECK(in_float.find("exact arithmetic") == std::string::npos);
+    check_has(text("levental-2014.toml", 333, 138), {"computed  certified, steps in double"});
+    options.scalar = Scalar::long_double;
+    check_has(text("levental-2014.toml", 333, 138, options), {"computed  long-double, steps in long-double"});
+}
+
 TEST_CASE("background, border, first stage") {
     check_has(text("levental-2014.toml", 7, 7), {"nothing is met: the background", "6 tested, 0 met"});
     check_has(text("levental-2014.toml", 0, 7), {"the border, painted over what the ray brings: (0, 0, 0)"});
