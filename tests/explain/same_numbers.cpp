@@ -77,14 +77,14 @@ TEST_CASE("every pixel of the paper's scene, in float: the steps are float's own
 
 TEST_CASE("every pixel of a smaller picture of the paper's scene, turned, by all rules, in each scalar") {
     const Scene scene = resized(read_scene(SCENES "/levental-2014.toml"), 80, 80);
-    for (const auto& [name, scalar, help] : scalars)
+    for (const Named<Scalar>& scalar : scalars)
         for (const TriangleRule& triangle_rule : {TriangleRule(Pluecker{}), TriangleRule(Tolerance{})})
             for (const SphereRule& sphere_rule : {SphereRule(Stable{}), SphereRule(Textbook{})}) {
-                CAPTURE(name);
+                CAPTURE(scalar.name);
                 CAPTURE(triangle_rule.index());
                 CAPTURE(sphere_rule.index());
                 check_none(scene, {.turns = {{Axis::z, 10}, {Axis::y, 20}},
-                                   .scalar = scalar,
+                                   .scalar = scalar.value,
                                    .sphere_rule = sphere_rule,
                                    .triangle_rule = triangle_rule});
             }

@@ -14,10 +14,11 @@ namespace {
 template <class Value, std::size_t count>
 void check_names(const NameTable<Value, count>& table) {
     std::set<std::string_view> names, helps;
-    for (const auto& [name, value, help] : table) {
+    for (const Named<Value>& entry : table) {
+        const std::string_view name = entry.name, help = entry.help;  // clang captures no bindings
         CAPTURE(name);
-        CHECK(find_named(table, name) == value);
-        CHECK(name_of(value) == name);
+        CHECK(find_named(table, name) == entry.value);
+        CHECK(name_of(entry.value) == name);
         CHECK(help.size() >= 10);
         CHECK(help.size() <= 60);
         names.insert(name);
