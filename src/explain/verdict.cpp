@@ -1,7 +1,5 @@
 #include "explain/verdict.hpp"
 
-#include <span>
-
 #include "render/tracer.hpp"
 #include "render/view.hpp"
 
@@ -37,7 +35,7 @@ struct Witness {
 }  // namespace
 
 Verdict verdict(const Scene& scene, const Options& options, int x, int y) {
-    const View seen = view(scene, options.stage >= 5 ? std::span(options.turns) : std::span<const Turn<double>>{});
+    const View seen = view(scene, options);
     Verdict result;
     result.ray = pixel_ray(seen, x, y, scene.height);
     with_tracer(scene, options, reach(seen, scene.width, scene.height),

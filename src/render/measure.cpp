@@ -9,14 +9,6 @@ namespace glassbox {
 
 namespace {
 
-/// The pose that comes of adding turn to turn, each rounded: what a program gets that rotates its points at every key.
-View accumulated_view(const Scene& scene, std::span<const Turn<double>> turns) {
-    View pose = view(scene, {});
-    for (const Turn<double>& turn : turns)
-        pose = std::visit([&](const auto& v) -> View { return turned(v, rotation(turn), scene.pivot); }, pose);
-    return pose;
-}
-
 /// Calls `use` with a value of the scalar's type.
 template <class Use>
 void with_number(Scalar scalar, const Use& use) {
@@ -42,10 +34,11 @@ std::vector<Plane> empty_planes(const Measurement& measurement, int width, int h
 
 std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
                                         std::span<const Measurement* const> wanted, const Job& job) {
-    const View rebuilt = view(scene, turns_of(options)), accumulated = accumulated_view(scene, turns_of(options));
+    const View rebuilt = rebuilt_view(scene, turns_of(options));
+    const View accumulated = accumulated_view(scene, turns_of(options));
     std::optional<Judge> judge;
     if (std::any_of(wanted.begin(), wanted.end(), [](const Measurement* m) { return m->needs_truth; }))
-        judge.emplace(scene, options.stage, reach(rebuilt, scene.width, scene.height));
+        judge.emplace(scene, options.stage, reach(view(scene, options), scene.width, scene.height));
 
     std::vector<std::vector<Plane>> result;
     for (const Measurement* measurement : wanted)
@@ -53,7 +46,8 @@ std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& optio
 
     trace_pixels<PixelNumbers>(
         scene, options, job, [&](int x, int y, const Ray<double>& ray, Rgb, PixelNumbers& numbers) {
-            numbers.drift = length(ray.P - pixel_ray(accumulated, x, y, scene.height).P);
+            numbers.drift =
+                length(pixel_ray(rebuilt, x, y, scene.height).P - pixel_ray(accumulated, x, y, scene.height).P);
             if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
             if (judge) with_number(options.scalar, [&]<class Real>(Real) { judge->judge<Real>(ray, numbers); });
             const std::size_t pixel =

@@ -21,6 +21,9 @@ using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;
 struct Options {
     int stage = 5;                    ///< 1 rays, 2 + spheres, 3 + triangles, 4 + shading, 5 + turns
     std::vector<Turn<double>> turns;  ///< of the view, about the scene's pivot, in this order
+    /// The turns are added one to another, each rounded, as a program does that rotates its points at every key;
+    /// otherwise the view is rebuilt from all of them at once.
+    bool accumulated = false;
     Scalar scalar = Scalar::certified;
     SphereRule sphere_rule;
     TriangleRule triangle_rule;

@@ -5,16 +5,11 @@
 
 namespace glassbox {
 
-/// The turns that a stage knows: none before the fifth.
-inline std::span<const Turn<double>> turns_of(const Options& options) {
-    return options.stage >= 5 ? std::span(options.turns) : std::span<const Turn<double>>{};
-}
-
 /// Traces the ray of every pixel on the job's threads, and hands its colour and its probe to `keep(x, y, ray, color,
 /// probe)`. Throws Cancelled.
 template <class Probe, class Keep>
 void trace_pixels(const Scene& scene, const Options& options, const Job& job, const Keep& keep) {
-    const View seen = view(scene, turns_of(options));
+    const View seen = view(scene, options);
     const Reach all = reach(seen, scene.width, scene.height);
     with_tracer(scene, options, all, [&]<class Search>(const Tracer<Search>& tracer) {
         for_each_pixel(scene.width, scene.height, job, [&](int x, int y) {

@@ -1,5 +1,8 @@
 #include "render/view.hpp"
 
+#include <cmath>
+#include <vector>
+
 namespace glassbox {
 
 namespace {
@@ -10,12 +13,42 @@ Pinhole<double> seen(const PinholeView& v, int width, int height) {
     return looking(v.eye, v.look_at, v.up, v.field_of_view, width, height);
 }
 
+View unturned(const Scene& scene) {
+    return std::visit([&](const auto& v) -> View { return seen(v, scene.width, scene.height); }, scene.view);
+}
+
+View turned_by(const View& view, const Rotation<double>& R, const Vec3<double>& pivot) {
+    return std::visit([&](const auto& v) -> View { return turned(v, R, pivot); }, view);
+}
+
+/// Neighbours about the same axis added up, whole turns left out. 36 · 10 degrees are 360 exactly; radians would round.
+std::vector<Turn<double>> joined(std::span<const Turn<double>> turns) {
+    std::vector<Turn<double>> result;
+    for (const Turn<double>& turn : turns)
+        if (!result.empty() && result.back().axis == turn.axis)
+            result.back().degrees = std::remainder(result.back().degrees, 360) + std::remainder(turn.degrees, 360);
+        else result.push_back(turn);
+    return result;
+}
+
 }  // namespace
 
-View view(const Scene& scene, std::span<const Turn<double>> turns) {
-    const Rotation<double> R = rotation<double>(turns);
-    return std::visit([&](const auto& v) -> View { return turned(seen(v, scene.width, scene.height), R, scene.pivot); },
-                      scene.view);
+View rebuilt_view(const Scene& scene, std::span<const Turn<double>> turns) {
+    return turned_by(unturned(scene), rotation<double>(joined(turns)), scene.pivot);
+}
+
+View accumulated_view(const Scene& scene, std::span<const Turn<double>> turns) {
+    View pose = unturned(scene);
+    for (const Turn<double>& turn : turns) pose = turned_by(pose, rotation(turn), scene.pivot);
+    return pose;
+}
+
+std::span<const Turn<double>> turns_of(const Options& options) {
+    return options.stage >= 5 ? std::span(options.turns) : std::span<const Turn<double>>{};
+}
+
+View view(const Scene& scene, const Options& options) {
+    return options.accumulated ? accumulated_view(scene, turns_of(options)) : rebuilt_view(scene, turns_of(options));
 }
 
 Scene resized(Scene scene, int width, int height) {

@@ -6,6 +6,7 @@
 #include <viewing_plane.hpp>
 
 #include "numerics/filter.hpp"
+#include "render/options.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -13,8 +14,18 @@ namespace glassbox {
 /// The viewing plane of a scene's picture, and where its rays come from.
 using View = std::variant<Parallel<double>, Pinhole<double>>;
 
-/// The scene's view after the turns.
-View view(const Scene& scene, std::span<const Turn<double>> turns);
+/// The scene's view after the turns, rebuilt from its start: neighbours about the same axis are one turn by the sum of
+/// their angles, so that 36 turns by 10° are none at all.
+View rebuilt_view(const Scene& scene, std::span<const Turn<double>> turns);
+
+/// The scene's view after turn upon turn, each rounded: what a program gets that rotates its points at every key.
+View accumulated_view(const Scene& scene, std::span<const Turn<double>> turns);
+
+/// The turns that the stage knows: none before the fifth.
+std::span<const Turn<double>> turns_of(const Options& options);
+
+/// The scene's view as the options say: all that traces a pixel's ray takes it from here.
+View view(const Scene& scene, const Options& options);
 
 /// The ray of the pixel (x, y) of a picture `height` pixels high; y counts down from the top.
 inline Ray<double> pixel_ray(const View& view, int x, int y, int height) {
