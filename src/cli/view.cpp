@@ -8,6 +8,7 @@
 #include "cli/typed.hpp"
 #include "cli/view_script.hpp"
 #include "output/output_file.hpp"
+#include "viewer/bench.hpp"
 #include "viewer/view.hpp"
 
 namespace glassbox {
@@ -17,12 +18,24 @@ namespace {
 struct ViewRequest {
     std::string scene = "levental-2014";
     std::string pixel, overlay, script, screenshot, size;
+    bool bench = false;
 };
 
 std::optional<WindowSize> window_size(const ViewRequest& request) {
     if (request.size.empty()) return {};
     const auto [width, height] = size("--size", request.size);
     return WindowSize{width, height};
+}
+
+void print(const Quickness& q) {
+    const auto row = [](const char* what, double value, const char* wanted) {
+        fmt::print("  {:<52} {:>7.1f} ms   {}\n", what, 1000 * value, wanted);
+    };
+    row("a frame, while a picture is rendered (median)", q.frame, "wanted: under 16");
+    row("the slowest frame", q.slowest_frame, "");
+    row("from a click to the inspector (median)", q.pin_to_inspector, "wanted: under 50");
+    row("from a change to a first picture (median)", q.slider_to_picture, "wanted: under 50");
+    fmt::print("  {:<52} {:>7.2f} %    wanted: under 2\n", "of a core, while nothing happens", 100 * q.idle);
 }
 
 void run(const ViewRequest& request) {
@@ -42,6 +55,7 @@ void run(const ViewRequest& request) {
         check_picture_file(request.screenshot);
         script.push_back(Screenshot{request.screenshot});
     }
+    if (request.bench) return print(quickness(std::move(state), size.value_or(WindowSize{1280, 720})));
     if (script.empty() && request.script.empty()) view(std::move(state), size);
     else run_script(std::move(state), script, size.value_or(WindowSize{1280, 800}));
 }
@@ -62,6 +76,7 @@ void add_view(CLI::App& program) {
              request->script);
     add_file(*command, "--screenshot", "OUT.png", "draw one picture of the interface, without a display",
              request->screenshot);
+    command->add_flag("--bench", request->bench, "measure how quickly the interface answers, without a display");
     command->footer("Example: glassbox view levental-2014 --pixel 350,149 --overlay margin");
     command->callback([request] { run(*request); });
 }

@@ -1,0 +1,18 @@
+#pragma once
+#include "viewer/model/state.hpp"
+#include "viewer/platform/window.hpp"
+
+namespace glassbox {
+
+/// How quickly the interface answers, in seconds.
+struct Quickness {
+    double frame = 0, slowest_frame = 0;  ///< the median, while a picture is rendered in the background
+    double pin_to_inspector = 0;          ///< from a click to the frame that shows the story; the median
+    double slider_to_picture = 0;         ///< from a change of the light to the frame that shows a first picture
+    double idle = 0;                      ///< part of a core that is used while nothing happens
+};
+
+/// Measures it on the state's scene, in a window of this size that nobody sees. Takes some seconds.
+Quickness quickness(ViewerState state, WindowSize size);
+
+}  // namespace glassbox
