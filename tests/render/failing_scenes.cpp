@@ -86,11 +86,11 @@ TEST_CASE("certified is right in every pixel of all of them") {
     } scenes[] = {{"tolerance-tiny", 100, 100},  {"tolerance-huge", 100, 100}, {"spheres-far", 240, 120},
                   {"spheres-grazing", 240, 120}, {"mesh-far", 90, 60},         {"edges", 160, 80},
                   {"turned-36", 100, 100}};
-    for (const auto& [name, width, height] : scenes) {
-        CAPTURE(name);
+    for (const auto& each : scenes) {
+        CAPTURE(each.name);
         Options options = with(Scalar::certified);
-        if (std::string(name) == "turned-36") options.turns.assign(36, {Axis::z, 10});
-        const Measured proven(resized(read(name), width, height), options);
+        if (std::string(each.name) == "turned-36") options.turns.assign(36, {Axis::z, 10});
+        const Measured proven(resized(read(each.name), each.width, each.height), options);
         CHECK(proven.verdicts(is(0)) == proven.pixels());
     }
 }
