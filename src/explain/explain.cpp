@@ -17,16 +17,11 @@ bool is_on_border(const Scene& scene, int x, int y) {
     return scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
 }
 
-story::Kind kind(const Scene& scene, std::size_t number) {
-    if (number < scene.spheres.size()) return story::Kind::sphere;
-    return number < scene.spheres.size() + scene.triangles.size() ? story::Kind::triangle : story::Kind::mesh_face;
-}
-
 void tell_surfaces(Story& story, const Scene& scene, const Surfaces<double>& surfaces, const Verdict& verdict,
                    const std::vector<Rgb>& colors) {
     for (const std::size_t number : worth_telling(surfaces, verdict, most_surfaces)) {
         story::Surface surface = surface_story(surfaces, story.options, verdict, number);
-        surface.kind = kind(scene, number);
+        surface.kind = kind_of(scene, number);
         surface.color = colors[number];
         story.surfaces.push_back(std::move(surface));
     }
@@ -34,6 +29,11 @@ void tell_surfaces(Story& story, const Scene& scene, const Surfaces<double>& sur
 }
 
 }  // namespace
+
+story::Kind kind_of(const Scene& scene, std::size_t number) {
+    if (number < scene.spheres.size()) return story::Kind::sphere;
+    return number < scene.spheres.size() + scene.triangles.size() ? story::Kind::triangle : story::Kind::mesh_face;
+}
 
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail) {
     const Verdict said = verdict(scene, options, x, y);

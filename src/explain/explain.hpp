@@ -13,4 +13,7 @@ enum class Detail {
 /// The story of the pixel (x, y), 0 ≤ x < width and 0 ≤ y < height, as `render` computes it.
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole);
 
+/// What kind of surface has that number.
+story::Kind kind_of(const Scene& scene, std::size_t number);
+
 }  // namespace glassbox
