@@ -22,9 +22,9 @@ inline Reach reaching(const Reach& reach, const Ray<double>& ray) {
     return {larger(reach.P, ray.P), larger(reach.D, ray.D)};
 }
 
-// A-priori filters: bounds, found once for a surface, on the rounding error of the double that decides a miss for any
-// ray within reach. They cost the inner loop one comparison. Where numbers are so large or small that overflow or
-// underflow could matter they are infinite, and decide nothing.
+// A-priori filters: bounds, found once for a surface, on the rounding error of the doubles that decide about it, for
+// any ray within reach. They cost the inner loop a comparison or two. Where numbers are so large or small that overflow
+// or underflow could matter they are infinite, and decide nothing.
 
 namespace filter {
 
@@ -59,6 +59,41 @@ inline double discriminant_error(const Sphere<double>& sphere, const Reach& reac
     const double D2 = dot(reach.D, reach.D), v2 = dot(v, v), r2 = sphere.r * sphere.r;
     if (!is_ordinary(greatest(reach.D)) || !is_ordinary(greatest(v)) || !is_ordinary(sphere.r)) return never;
     return 40 * u * D2 * (v2 + r2);
+}
+
+/// Of D·A, A seen from the ray's start: how far ahead a vertex is, in units of length |D|. Every term has been rounded
+/// at most four times.
+inline double distance_error(const Triangle<double>& triangle, const Reach& reach) {
+    const auto& [A, B, C] = seen_from(convert<Magnitude>(reach.P), convert<Magnitude>(triangle));
+    const Vec3<Magnitude> D = convert<Magnitude>(reach.D);
+    const double size = std::max({dot(D, A).size, dot(D, B).size, dot(D, C).size});
+    if (!is_ordinary(greatest(reach.D)) || !is_ordinary(size)) return never;
+    return 6 * u * size;
+}
+
+/// Of v² − r², which says whether the ray starts outside the sphere: 6u(|v|² + r²) + O(u²).
+inline double power_error(const Sphere<double>& sphere, const Reach& reach) {
+    const Vec3<Magnitude> v = convert<Magnitude>(reach.P) - convert<Magnitude>(sphere.c);
+    if (!is_ordinary(greatest(reach.P) + greatest(sphere.c)) || !is_ordinary(sphere.r)) return never;
+    return 8 * u * (dot(v, v).size + sphere.r * sphere.r);
+}
+
+/// Bounds on what decides about a sphere.
+struct SphereErrors {
+    double discriminant = never, power = never;
+};
+
+/// Bounds on what decides about a triangle.
+struct TriangleErrors {
+    double side = never, distance = never;
+};
+
+inline SphereErrors errors(const Sphere<double>& sphere, const Reach& reach) {
+    return {discriminant_error(sphere, reach), power_error(sphere, reach)};
+}
+
+inline TriangleErrors errors(const Triangle<double>& triangle, const Reach& reach) {
+    return {sides_error(triangle, reach), distance_error(triangle, reach)};
 }
 
 }  // namespace filter
