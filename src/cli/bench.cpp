@@ -9,6 +9,7 @@
 #include "bench/runs.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_path.hpp"
+#include "cli/typed.hpp"
 #include "render/render.hpp"
 #include "render/surfaces.hpp"
 #include "render/view.hpp"
@@ -79,9 +80,7 @@ void bench_probes(const Scene& scene, int runs) {
     if (sum < 0) fmt::print("{}\n", sum);
 }
 
-void bench_scene(const std::string& name, int runs, const std::stop_token& stop) {
-    // Small enough that a run of the plain loop over a mesh takes seconds, not minutes.
-    Scene scene = read_scene(scene_path(name));
+void bench_scene(const std::string& name, const Scene& scene, int runs, const std::stop_token& stop) {
     const Surfaces<double> all = surfaces<double>(scene, 5);
     const std::size_t count = all.spheres.size() + all.triangles.size();
     fmt::print("\n{}: {} x {} pixels, {} surfaces\n", name, scene.width, scene.height, count);
@@ -98,7 +97,7 @@ void bench_scene(const std::string& name, int runs, const std::stop_token& stop)
     if (papers) print(works[3].name, speeds[3]);
     print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[3], "the paper's program") : "");
     print(works[1].name, speeds[1], times(speeds[1], speeds[0], "one thread"));
-    print(works[2].name, speeds[2], times(speeds[2], speeds[0], "double"));
+    print(works[2].name, speeds[2], "takes " + times(speeds[0], speeds[2], "as long as double"));
     bench_probes(scene, runs);
 }
 
@@ -109,12 +108,17 @@ void add_bench(CLI::App& program, Session& session) {
     CLI::App* command =
         program.add_subcommand("bench", "Measure speed: million rays a second, and what it compares with");
     command->add_option("SCENE", request->scenes, "scenes to trace (default: levental-2014 room)");
-    command->add_option("--runs", request->runs, "how many runs of each, in turn")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    const auto read_runs = [request](const std::string& typed) {
+        request->runs = whole_number("--runs", typed, 1, 1000);
+    };
+    command->add_option_function<std::string>("--runs", read_runs, "how many runs of each, in turn (default: 7)")
+        ->type_name("N");
     command->callback([request, &session] {
+        std::vector<Scene> scenes;  // all are read before the first is timed: a wrong name costs nobody minutes
+        for (const std::string& name : request->scenes) scenes.push_back(read_scene(scene_path(name)));
         fmt::print("Million rays a second; {} runs of each, in turn: median (least ... greatest)\n", request->runs);
-        for (const std::string& scene : request->scenes) bench_scene(scene, request->runs, session.interrupt.token());
+        for (std::size_t i = 0; i < scenes.size(); ++i)
+            bench_scene(request->scenes[i], scenes[i], request->runs, session.interrupt.token());
     });
 }
 
