@@ -16,12 +16,17 @@ find_package(OpenGL QUIET OPTIONAL_COMPONENTS EGL)  # without EGL, what is drawn
 if(NOT OPENGL_FOUND)
   list(APPEND missing libgl-dev)
 endif()
+# The system's Dear ImGui serves if it brings both backends. Else, when the viewer is asked for, a release is downloaded: not
+# with AUTO, for a download that fails would take the rest of the build with it.
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
   pkg_check_modules(GLASSBOX_IMGUI QUIET IMPORTED_TARGET imgui>=1.86)
-  if(NOT GLASSBOX_IMGUI_FOUND)
-    list(APPEND missing libimgui-dev)
-  endif()
+  find_path(GLASSBOX_IMGUI_BACKENDS backends/imgui_impl_glfw.h HINTS ${GLASSBOX_IMGUI_INCLUDE_DIRS} PATH_SUFFIXES imgui)
+endif()
+if(GLASSBOX_IMGUI_FOUND AND GLASSBOX_IMGUI_BACKENDS)
+  set(imgui PkgConfig::GLASSBOX_IMGUI)
+elseif(NOT GLASSBOX_VIEWER STREQUAL "AUTO")
+  set(imgui glassbox_imgui_release)
 else()
   list(APPEND missing pkg-config libimgui-dev)
 endif()
@@ -44,6 +49,18 @@ set(GLASSBOX_HAS_VIEWER ON)
 
 add_library(glassbox_opengl INTERFACE)
 target_link_libraries(glassbox_opengl INTERFACE OpenGL::GL)
+if(imgui STREQUAL "glassbox_imgui_release")
+  include(FetchContent)
+  FetchContent_Declare(imgui
+    URL https://github.com/ocornut/imgui/archive/refs/tags/v1.92.5.tar.gz
+    URL_HASH SHA256=0eb50fe9aeba1a51f96b5843c7f630a32ed2e9362d693c61b87e4fa870cf826d)
+  FetchContent_MakeAvailable(imgui)  # brings no CMakeLists.txt: only unpacks
+  set(sources imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp)
+  list(TRANSFORM sources PREPEND ${imgui_SOURCE_DIR}/)
+  add_library(glassbox_imgui_release STATIC ${sources})
+  target_include_directories(glassbox_imgui_release SYSTEM PUBLIC ${imgui_SOURCE_DIR})
+  target_link_libraries(glassbox_imgui_release PUBLIC glfw)
+endif()
 add_library(glassbox_imgui INTERFACE)
 # A static imgui does not say that its backends call GLFW, and looks for OpenGL's functions by itself.
-target_link_libraries(glassbox_imgui INTERFACE PkgConfig::GLASSBOX_IMGUI glfw glassbox_opengl ${CMAKE_DL_LIBS})
+target_link_libraries(glassbox_imgui INTERFACE ${imgui} glfw glassbox_opengl ${CMAKE_DL_LIBS})
