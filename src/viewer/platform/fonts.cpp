@@ -44,7 +44,7 @@ ImFont* add_font(std::span<const unsigned char> file, float size) {
 Fonts load_fonts(float size) {
     ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM < 19200
-    // The renderer holds a texture of all characters since its first frame. Newer ones keep theirs up to date themselves.
+    // The renderer holds a texture of all characters since its first frame. Newer ones update theirs themselves.
     const bool drawn = io.Fonts->TexID != ImTextureID{};
     if (drawn) ImGui_ImplOpenGL3_DestroyFontsTexture();
 #else

@@ -30,7 +30,8 @@ public:
 
     /// Draws until the user closes the window, at most 60 frames a second, and none while nothing happens. `prepare` is
     /// called before each frame, when fonts may be loaded.
-    void run(const DrawFrame& draw, const std::function<void()>& prepare = [] {});
+    void run(
+        const DrawFrame& draw, const std::function<void()>& prepare = [] {});
 
     /// Lets run() return after this frame, as if the user had closed the window.
     void close();
