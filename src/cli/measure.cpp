@@ -12,6 +12,7 @@
 #include "cli/typed.hpp"
 #include "output/output_file.hpp"
 #include "render/render.hpp"
+#include "render/why_no_value.hpp"
 
 namespace glassbox {
 
@@ -47,11 +48,11 @@ bool has_value(const Measured& measured) {
 }
 
 /// "n.h (phong has no half vector)" for each measurement without a value at any pixel.
-std::vector<std::string> without_value(const std::vector<Measured>& all, const Scene& scene, const Options& options) {
+std::vector<std::string> without_value(const std::vector<Measured>& all, ShadingModel model, const Options& options) {
     std::vector<std::string> names;
     for (const Measured& measured : all)
         if (!has_value(measured))
-            names.push_back(fmt::format("{} ({})", measured.what->name, why_no_value(*measured.what, scene, options)));
+            names.push_back(fmt::format("{} ({})", measured.what->name, why_no_value(*measured.what, model, options)));
     return names;
 }
 
@@ -66,7 +67,7 @@ void run(const CLI::App& command, const MeasureRequest& request, Session& sessio
     }();
     std::vector<Measured> measured;
     for (std::size_t i = 0; i < planes.size(); ++i) measured.push_back({request.wanted[i], planes[i]});
-    note(command, "no value at any pixel", without_value(measured, scene, request.options));
+    note(command, "no value at any pixel", without_value(measured, scene.shading.model, request.options));
     write_measurements(request.out, measured, session.interrupt.token());
 }
 

@@ -3,10 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "render/measurements.hpp"
-#include "render/options.hpp"
-#include "scene/scene.hpp"
-
 namespace glassbox {
 
 /// "glassbox render: note: …" on stderr, if there is anything to note.
@@ -17,8 +13,5 @@ enum class Rays { of_a_picture, of_ones_own };
 
 /// Which of the options that were typed come to nothing, and why: "--turn (from stage 5)".
 std::vector<std::string> unused_options(const CLI::App& command, Rays rays, int stage);
-
-/// Why a measurement has no value at any pixel: "phong has no half vector".
-std::string why_no_value(const Measurement& what, const Scene& scene, const Options& options);
 
 }  // namespace glassbox
