@@ -30,20 +30,39 @@ double Coloring::position(double value) const {
     return (std::ldexp(value, e) - from) / (std::ldexp(high, e) - from);
 }
 
-Rgb Coloring::operator()(double value) const { return std::isnan(value) ? no_value_color : map(position(value)); }
+Rgb Coloring::operator()(double value) const {
+    if (std::isnan(value)) return no_value_color;
+    if (shown && value < shown->first) return below_color;
+    if (shown && value > shown->second) return above_color;
+    return map(position(value));
+}
 
-Coloring coloring_of(const Measurement& what, const Summary& summary) {
+Coloring coloring_of(const Measurement& what, const Summary& summary, const SetRange& set) {
     double low = summary.any_finite() ? summary.least : 0;
     double high = summary.any_finite() ? summary.greatest : 0;
     if (what.range) std::tie(low, high) = *what.range;
-    const bool diverging = what.scale == Scale::diverging;
+    if (set) std::tie(low, high) = *set;
+    const auto is_whole = [](double value) { return value == std::floor(value); };
+    const bool counted =
+        set ? is_whole(low) && is_whole(high) : !what.range || (what.scale == Scale::sequential && is_whole(high));
+    const bool diverging = what.scale == Scale::diverging && (!set || (low <= 0 && 0 <= high));
     if (diverging) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;
     }
-    const bool counted = !what.range || (what.scale == Scale::sequential && high == std::floor(high));
     const bool blocks = counted && summary.any_finite() && summary.whole && high - low < 20;
-    return {diverging ? diverging_colors() : sequential_colors(), low, high, blocks};
+    return {diverging ? diverging_colors() : sequential_colors(), low, high, blocks, set};
+}
+
+Outside outside(const Plane& plane, const Coloring& coloring) {
+    const auto [low, high] = coloring.limits();
+    Outside counts;
+    for (const double value : plane.values) {
+        if (!std::isfinite(value)) continue;
+        counts.below += value < low;
+        counts.above += value > high;
+    }
+    return counts;
 }
 
 bool is_direction(const Measured& measured) {
@@ -68,7 +87,7 @@ void draw_contour(Image& image, const Plane& plane, double level) {
 
 }  // namespace
 
-Image colored(const Measured& measured) {
+Image colored(const Measured& measured, const SetRange& set) {
     const Plane& first = measured.planes.front();
     Image image(first.width, first.height, no_value_color);
     if (is_direction(measured)) {
@@ -77,7 +96,7 @@ Image colored(const Measured& measured) {
             if (!std::isnan(x) && !std::isnan(y) && !std::isnan(z)) image.pixels[i] = direction_color(x, y, z);
         }
     } else {
-        const Coloring coloring = coloring_of(*measured.what, summarized(first));
+        const Coloring coloring = coloring_of(*measured.what, summarized(first), set);
         std::transform(first.values.begin(), first.values.end(), image.pixels.begin(), coloring);
         if (measured.what->contour) draw_contour(image, first, *measured.what->contour);
     }

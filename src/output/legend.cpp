@@ -10,54 +10,11 @@
 #include <vector>
 
 #include "output/coloring.hpp"
+#include "output/legend_bar.hpp"
 #include "output/legend_number.hpp"
 
 namespace glassbox {
 namespace {
-
-/// Where on a bar of that width a value stands.
-int place_on_bar(const Coloring& coloring, double value, int width) {
-    double position = coloring.position(value);
-    if (coloring.blocks) position = (value - coloring.low + 0.5) / (coloring.high - coloring.low + 1);
-    return static_cast<int>(std::lround(position * (width - 1)));
-}
-
-/// The bar's colour in that column.
-Rgb color_on_bar(const Coloring& coloring, int column, int width) {
-    if (!coloring.blocks)
-        return coloring.map(coloring.low == coloring.high ? 0.5 : static_cast<double>(column) / (width - 1));
-    const double numbers = coloring.high - coloring.low + 1;
-    return coloring(coloring.low + std::floor(column * numbers / width));
-}
-
-struct PlacedLabel {
-    int mark, left;
-    std::string text;
-};
-
-/// The most ticks whose labels keep apart, each under its mark as far as the bar's ends allow.
-std::vector<PlacedLabel> placed_ticks(const Coloring& coloring, int width, int size) {
-    if (coloring.low == coloring.high) {
-        const std::string text = legend_number(coloring.low, 6);
-        const int half = text_width(text, size) / 2;
-        return {{width / 2, std::max(0, width / 2 - half), text}};
-    }
-    for (int most = std::max(2, width / (3 * size)); most >= 1; --most) {
-        std::vector<PlacedLabel> labels;
-        bool apart = true;
-        int end_of_last = -size;
-        for (const Tick& tick : ticks(coloring.low, coloring.high, most, coloring.blocks)) {
-            const int mark = place_on_bar(coloring, tick.value, width);
-            const int label_width = text_width(tick.label, size);
-            const int left = std::clamp(mark - label_width / 2, 0, std::max(0, width - label_width));
-            apart = apart && left >= end_of_last + size / 2 && label_width <= width;
-            end_of_last = left + label_width;
-            labels.push_back({mark, left, tick.label});
-        }
-        if (apart) return labels;
-    }
-    return {};
-}
 
 /// A triangle that points down at the bar.
 void draw_pointer(Image& image, int x, int y, int height) {
@@ -81,14 +38,15 @@ void draw_bar(Column& column, const Coloring& coloring, const Summary& summary) 
     }
     const int bar = column.grow(size * 5 / 4);
     for (int x = 0; x < width; ++x) fill(column.image, x, bar, 1, size * 5 / 4, color_on_bar(coloring, x, width));
-    const std::vector<PlacedLabel> labels = placed_ticks(coloring, width, size);
+    const std::vector<PlacedTick> labels =
+        placed_ticks(coloring, width, size, [&](const std::string& text) { return text_width(text, size); });
     if (labels.empty()) return;
     const int marks = column.grow(size / 3 + column.line());
     const int thickness = std::max(1, size / 10);
-    for (const PlacedLabel& label : labels) {
+    for (const PlacedTick& label : labels) {
         fill(column.image, std::clamp(label.mark - thickness / 2, 0, width - thickness), marks, thickness, size / 3,
              ink);
-        draw_text(column.image, label.left, marks + size / 3, label.text, {size, ink});
+        draw_text(column.image, label.left, marks + size / 3, label.label, {size, ink});
     }
 }
 
@@ -123,9 +81,7 @@ Column scale_legend(const Measured& measured, int width, int size) {
     if (summary.any_finite() || measured.what->range) draw_bar(column, coloring, summary);
     add_no_value(column, summary.missing);
 
-    const auto count = [&](auto&& wanted) { return std::count_if(plane.values.begin(), plane.values.end(), wanted); };
-    const auto below = count([&](double v) { return v < coloring.low; }) - summary.negative_infinite;
-    const auto above = count([&](double v) { return v > coloring.high; }) - summary.positive_infinite;
+    const auto [below, above] = outside(plane, coloring);
     const auto add = [&](std::int64_t number, Rgb color, const std::string& what) {
         if (number > 0) column.swatch(color, what + ": " + pixels(number));
     };
