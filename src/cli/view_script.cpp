@@ -15,6 +15,7 @@
 #include "scene/shading_models.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
+#include "viewer/model/camera.hpp"
 #include "viewer/model/keys.hpp"
 #include "viewer/model/timeline.hpp"
 
@@ -193,6 +194,16 @@ ScriptStep zoom(const Words& words) {
     });
 }
 
+ScriptStep orbit(const Words& words) {
+    const Words typed = between_commas(words[1]);
+    if (typed.size() != 2 && typed.size() != 3)
+        throw wrong("orbit", fmt::format("'{}' must be AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE", words[1]));
+    Orbit to{number("orbit", typed[0], -360, 360),
+             number("orbit", typed[1], -greatest_elevation, greatest_elevation)};
+    if (typed.size() == 3) to.distance = number("orbit", typed[2], least_distance, greatest_distance);
+    return change([to](ViewerState& state) { state.orbit = to; });
+}
+
 ScriptStep step(const Words& words) {
     const auto to = find_named(step_targets, words[1]);
     const std::size_t at = to ? 0 : static_cast<std::size_t>(whole_number("step", words[1], 0, 1'000'000'000));
@@ -267,6 +278,7 @@ const Command commands[] = {
      }},
     {"step", "step N | first | back | forward | last | failed | cancellation", 1, 1, step},
     {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
+    {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
     {"key", "key LABEL", 1, 1, key},
     {"wait", "wait [SECONDS]", 0, 1,
      [](const Words& w) -> ScriptStep { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},

@@ -38,6 +38,7 @@ private:
     float scale_;
     Results results_;
     Pictures pictures_;
+    Space space_;
     Fonts fonts_;
     Palette palette_{};
     float loaded_text_size_ = 0;

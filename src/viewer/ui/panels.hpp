@@ -2,6 +2,7 @@
 #include <span>
 
 #include "viewer/model/results.hpp"
+#include "viewer/model/space.hpp"
 #include "viewer/model/state.hpp"
 #include "viewer/platform/fonts.hpp"
 #include "viewer/ui/pictures.hpp"
@@ -14,6 +15,7 @@ struct Frame {
     ViewerState& state;
     const Results& results;
     const Pictures& pictures;
+    const Space& space;
     const Fonts& fonts;
     const Palette& palette;
     double seconds;  ///< since the last frame

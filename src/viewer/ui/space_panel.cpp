@@ -1,7 +1,182 @@
-#include "viewer/ui/panels.hpp"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "explain/explain.hpp"
+#include "explain/words.hpp"
+#include "output/legend_number.hpp"
+#include "viewer/ui/space/labels.hpp"
+#include "viewer/ui/space/painter.hpp"
 
 namespace glassbox {
 
-void draw_space(const Frame&) { ImGui::TextUnformatted("space"); }
+namespace {
+
+/// Points of the screen that the mouse can be on, with what is said of them.
+struct Hint {
+    ImVec2 at;
+    std::string says;
+};
+
+void paint_light(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& hints) {
+    if (!canvas.drawing.has_light) return;
+    const Ball& sight = canvas.drawing.sight;
+    const Vec3<double> l = canvas.drawing.light, middle = canvas.camera.middle;
+    // As far out as it can be seen.
+    const auto seen = visible_part(canvas.camera, middle, middle + sight.radius * l);
+    if (!seen) return;
+    const Vec3<double> towards_sun = seen->second - middle, sun = middle + 0.85 * towards_sun;
+    const ImU32 color = color_of(canvas.frame.palette, Ink::light);
+    const ImVec2 at = canvas.on_screen(sun);
+    const float r = ImGui::GetFontSize() * .32f;
+    paint_arrow(canvas, sun - 0.1 * towards_sun, sun - 0.3 * towards_sun, color, line_width());
+    canvas.list.AddCircleFilled(at, r, color);
+    for (int i = 0; i < 8; ++i) {
+        const auto [c, s] = cos_sin(45.f * static_cast<float>(i));
+        canvas.list.AddLine({at.x + c * r * 1.4f, at.y + s * r * 1.4f}, {at.x + c * r * 2, at.y + s * r * 2}, color,
+                            line_width());
+    }
+    labels.keep_free({at.x - 2 * r, at.y - 2 * r}, {at.x + 2 * r, at.y + 2 * r});
+    labels.put(at, 2 * r, "light", color);
+    hints.push_back({at, "The light comes from this direction; it is too far away for its distance to count"});
+}
+
+void paint_axes(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& hints) {
+    const Vec3<double> from = canvas.drawing.axes_at;
+    const bool at_origin = from == Vec3<double>{};
+    const double size = canvas.drawing.axis_length;
+    const ImU32 color = canvas.frame.palette.faint_text;
+    const std::string said =
+        fmt::format("The world's axes, {} long{}", legend_number(size),
+                    at_origin ? ", from its origin" : "; not from the origin, which is out of sight");
+    const std::pair<const char*, Vec3<double>> axes[] = {{"x", {size, 0, 0}}, {"y", {0, size, 0}}, {"z", {0, 0, size}}};
+    for (const auto& [name, axis] : axes) {
+        const auto tip = paint_arrow(canvas, from, from + axis, color, line_width());
+        if (!tip) continue;
+        labels.put(*tip, line_width() * 2, at_origin ? fmt::format("{} {}", name, legend_number(size)) : name, color);
+        hints.push_back({*tip, said});
+    }
+}
+
+void paint_arrows(const SpaceCanvas& canvas, Labels& labels) {
+    for (const ArrowInSpace& arrow : canvas.drawing.arrows) {
+        if (!in_front(canvas.camera, arrow.from)) continue;
+        // The light's is longer: the half vector may lie on it.
+        const double size =
+            (arrow.ink == Ink::light ? 4 : 3.2) * ImGui::GetFontSize() * length_of_pixel(canvas.camera, arrow.from);
+        const ImU32 color = color_of(canvas.frame.palette, arrow.ink);
+        const auto tip =
+            paint_arrow(canvas, arrow.from, arrow.from + size * arrow.direction, color, line_width() * 1.6f);
+        if (tip) labels.put(*tip, line_width() * 2, arrow.name, color);
+    }
+}
+
+void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& hints) {
+    const float r = ImGui::GetFontSize() * .2f;
+    for (const LabelInSpace& label : canvas.drawing.labels) {
+        if (!in_front(canvas.camera, label.at)) continue;
+        const ImVec2 at = canvas.on_screen(label.at);
+        const ImU32 color = color_of(canvas.frame.palette, label.ink);
+        if (label.dot) {
+            canvas.list.AddCircleFilled(at, label.text.empty() ? r * .7f : r, color);
+            canvas.list.AddCircle(at, label.text.empty() ? r * .7f : r, canvas.frame.palette.canvas);
+        }
+        const double room = label.room / length_of_pixel(canvas.camera, label.at);
+        if (label.room > 0 && room < 4 * ImGui::GetFontSize()) continue;
+        if (!label.text.empty()) labels.put(at, label.dot ? r * 1.5f : r, label.text, color);
+        if (!label.hint.empty()) hints.push_back({at, label.hint});
+    }
+}
+
+/// What is not drawn, and that it is not.
+std::string caption(const SurfacesInSpace& surfaces) {
+    std::string text;
+    const std::size_t spheres = surfaces.shown.spheres.size(), triangles = surfaces.shown.triangles.size();
+    if (triangles < surfaces.all_triangles)
+        text += fmt::format("{} of {} triangles drawn, and the boxes around their meshes. ", triangles,
+                            surfaces.all_triangles);
+    if (spheres < surfaces.all_spheres) text += fmt::format("{} of {} spheres drawn. ", spheres, surfaces.all_spheres);
+    if (surfaces.far > 0)
+        text += fmt::format("{} {} far away: the wheel moves back. ", surfaces.far,
+                            surfaces.far == 1 ? "surface is" : "surfaces are");
+    return text;
+}
+
+void paint_caption(const SpaceCanvas& canvas, Labels& labels) {
+    const std::string text = caption(canvas.surfaces);
+    if (text.empty()) return;
+    const float pad = ImGui::GetFontSize() * .3f, width = static_cast<float>(canvas.camera.area.x) - 2 * pad;
+    const ImVec2 at{canvas.corner.x + pad, canvas.corner.y + pad};
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+    labels.keep_free(at, {at.x + size.x, at.y + size.y});
+    canvas.list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, canvas.frame.palette.faint_text, text.c_str(),
+                        nullptr, width);
+}
+
+std::string said_of(const SpaceCanvas& canvas, ImVec2 mouse, const std::vector<Hint>& hints) {
+    const Hint* nearest = nullptr;
+    float least = ImGui::GetFontSize() * .6f;
+    for (const Hint& hint : hints) {
+        const float distance = std::hypot(hint.at.x - mouse.x, hint.at.y - mouse.y);
+        if (distance < least) least = distance, nearest = &hint;
+    }
+    if (nearest) return nearest->says;
+    const SeenInSpace seen =
+        seen_at(canvas.camera, {mouse.x - canvas.corner.x, mouse.y - canvas.corner.y}, canvas.surfaces, canvas.drawing);
+    if (seen.on_picture)
+        return fmt::format("The picture: pixel {}, {}{}", static_cast<int>(seen.on_picture->x),
+                           static_cast<int>(seen.on_picture->y),
+                           canvas.drawing.picture.t > 0
+                               ? fmt::format("\nIt is drawn at t = {} of its rays; the viewing plane is at t = 1",
+                                             legend_number(canvas.drawing.picture.t))
+                               : "");
+    if (seen.surface)
+        return fmt::format("Surface {}, a {}", *seen.surface, word(kind_of(*canvas.frame.state.scene, *seen.surface)));
+    return "Drag to look from elsewhere, wheel to come closer, double click to go back";
+}
+
+void listen_to_mouse(const Frame& frame, ImVec2 size) {
+    ViewerState& state = frame.state;
+    ImGui::InvisibleButton("in space", size);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered()) {
+        if (io.MouseWheel != 0) state.orbit = closer(state.orbit, std::pow(1.15, -io.MouseWheel));
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.orbit = Orbit{};
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
+        state.orbit = dragged(state.orbit, {io.MouseDelta.x, io.MouseDelta.y}, ImGui::GetFontSize());
+}
+
+}  // namespace
+
+void draw_space(const Frame& frame) {
+    const ImVec2 size = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+    if (size.x < 8 || size.y < 8) return;
+    listen_to_mouse(frame, size);
+    const bool hovered = ImGui::IsItemHovered() && !ImGui::IsItemActive();
+
+    const SurfacesInSpace& surfaces = frame.space.surfaces();
+    const SpaceDrawing& drawing = frame.space.drawing();
+    Ball sight = drawing.sight;
+    sight.center = sight.center + std::max(0.0, 1 - frame.state.orbit.distance) * (drawing.focus - sight.center);
+    const SpaceCanvas canvas{frame,   surfaces,
+                             drawing, *ImGui::GetWindowDrawList(),
+                             corner,  camera(frame.state.orbit, sight, surfaces.upright, {size.x, size.y})};
+    const ImVec2 end{corner.x + size.x, corner.y + size.y};
+    canvas.list.PushClipRect(corner, end, true);
+    canvas.list.AddRectFilled(corner, end, frame.palette.canvas);
+    paint_sorted(canvas);
+    Labels labels(canvas.list, corner, end, faded(frame.palette.canvas, .65));
+    std::vector<Hint> hints;
+    paint_caption(canvas, labels);
+    paint_labels(canvas, labels, hints);
+    paint_arrows(canvas, labels);
+    paint_light(canvas, labels, hints);
+    paint_axes(canvas, labels, hints);
+    canvas.list.PopClipRect();
+
+    if (hovered) ImGui::SetTooltip("%s", said_of(canvas, ImGui::GetIO().MousePos, hints).c_str());
+}
 
 }  // namespace glassbox

@@ -1,0 +1,41 @@
+#pragma once
+#include "viewer/model/space.hpp"
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+/// The place on the screen where the scene in space is drawn, and the camera that it is seen by.
+struct SpaceCanvas {
+    const Frame& frame;
+    const SurfacesInSpace& surfaces;
+    const SpaceDrawing& drawing;
+    ImDrawList& list;
+    ImVec2 corner;  ///< of the place
+    Camera camera;
+
+    ImVec2 on_screen(const Vec3<double>& point) const {
+        const Point p = project(camera, point).at;
+        return {corner.x + static_cast<float>(p.x), corner.y + static_cast<float>(p.y)};
+    }
+};
+
+/// The colour that the palette has for something.
+ImU32 color_of(const Palette& palette, Ink ink);
+
+/// The same colour with that part of its opacity.
+ImU32 faded(ImU32 color, double part);
+
+/// The usual width of a line, in pixels.
+float line_width();
+
+/// Draws surfaces, the picture and lines, the farthest first; then all lines once more, faintly, so that none is lost.
+void paint_sorted(const SpaceCanvas& canvas);
+
+/// Draws a straight line as far as it is in sight.
+void paint_line(const SpaceCanvas& canvas, const Vec3<double>& from, const Vec3<double>& to, ImU32 color, float width);
+
+/// Draws an arrow, and returns where its tip is on the screen; nowhere if it is behind the camera.
+std::optional<ImVec2> paint_arrow(const SpaceCanvas& canvas, const Vec3<double>& from, const Vec3<double>& to,
+                                  ImU32 color, float width);
+
+}  // namespace glassbox
