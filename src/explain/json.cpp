@@ -1,9 +1,8 @@
 #include "explain/json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
+#include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
@@ -17,14 +16,6 @@ using Json = nlohmann::ordered_json;
 using namespace story;
 
 constexpr int version = 1;
-
-std::string hex(double value) { return fmt::format("{:a}", value); }
-
-/// A long double that a double can hold is written as one: 0x1.8p+0 and not 0xc.p-3.
-std::string hex(long double value) {
-    const auto rounded = static_cast<double>(value);
-    return rounded < value || rounded > value ? fmt::format("{:a}", value) : hex(rounded);
-}
 
 /// Numbers that are not finite have no JSON: they become null.
 Json json(const Number& n) {

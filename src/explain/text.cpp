@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <string_view>
 
+#include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
@@ -18,52 +17,8 @@ namespace {
 
 using namespace story;
 
-std::string short_number(double value) { return fmt::format("{:.6g}", value); }
-
-std::string triple(const Vec3<double>& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-std::string triple(const Vector& v) { return triple(Vec3<double>{v.x.value, v.y.value, v.z.value}); }
-std::string triple(Rgb c) { return fmt::format("({}, {}, {})", c.red, c.green, c.blue); }
-
-std::string bound(double error) {
-    if (error == 0) return "exact";
-    return std::isfinite(error) ? fmt::format("± {:.1e}", error) : "± unknown";
-}
-
 /// "2500 ± 3.1e-10"; "350 exact".
 std::string bounded(const Number& n) { return short_number(n.value) + ' ' + bound(n.error); }
-
-std::string lost(double bits) { return bits == 0 ? "no bits lost" : fmt::format("{:.1f} bits lost", bits); }
-
-std::string_view sign(const Number& n) {
-    if (n.known == Known::not_at_all) return "unknown";
-    return n.sign > 0 ? "> 0" : n.sign < 0 ? "< 0" : "= 0";
-}
-
-/// "three side products of both signs".
-std::string why(const Surface& surface, const Story& story) {
-    const auto t = [&] { return surface.t ? fmt::format("t = {}", short_number(surface.t->value)) : std::string(); };
-    switch (surface.fate) {
-        case Fate::nearest:
-            return fmt::format("met, nearest: {}", t());
-        case Fate::farther:
-            return fmt::format("met, but farther than surface {}: {}", story.hit ? story.hit->surface : 0, t());
-        case Fate::apart:
-            return "missed: Δ < 0, the line passes the sphere";
-        case Fate::outside:
-            return "missed: side products of both signs, the line passes outside";
-        case Fate::edge_on:
-            return "missed: all side products are 0, it is seen edge-on or has no area";
-        case Fate::behind:
-            return fmt::format("missed: behind the start, {} is not > 0", t());
-        case Fate::overflow:
-            return "missed: a number that decides has grown too large for the scalar";
-        case Fate::beyond_tolerance:
-            return "missed: the difference is not under the tolerance";
-        case Fate::refused:
-            return "missed: the rule that was chosen says no";
-    }
-    return "";
-}
 
 /// Writes lines, each section under its heading.
 class Page {
@@ -88,17 +43,7 @@ void tell_pixel(Page& page, const Story& story) {
     page.line("colour    {}, #{:02x}{:02x}{:02x}", triple(story.color), story.color.red, story.color.green,
               story.color.blue);
     if (story.border) page.line("          the border, painted over what the ray brings: {}", triple(story.traced));
-    if (story.options.stage == 1) page.line("verdict   stage 1 knows no surfaces: the colour is the ray's direction");
-    else if (!story.hit) page.line("verdict   nothing is met: the background");
-    else {
-        const std::size_t number = story.hit->surface;
-        const auto row = std::find_if(story.surfaces.begin(), story.surfaces.end(),
-                                      [&](const Surface& s) { return s.number == number; });
-        const std::string what = row == story.surfaces.end()
-                                     ? std::string("surface")
-                                     : fmt::format("{} of colour {}, surface", word(row->kind), triple(row->color));
-        page.line("verdict   {} {}, at t = {}", what, number, short_number(story.hit->t.value));
-    }
+    page.line("verdict   {}", verdict_phrase(story));
     const Options& options = story.options;
     page.line("computed  {}, steps in {}, spheres: {}, triangles: {}, stage {}", name_of(options.scalar),
               name_of(scalar_of_steps(options.scalar)), name_of(options.sphere_rule), written(options.triangle_rule),
@@ -150,12 +95,8 @@ void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
     row("", 'B', B, 'b', test.b);
     row("", 'C', C, 'c', test.c);
     page.line("       a+b+c = {}", bounded(test.sum));
-    const char* const compared = test.sum.value == 0                   ? "but a+b+c is 0"
-                                 : test.deficit.value < test.tolerance ? "under"
-                                                                       : "not under";
-    page.line("       | |a+b+c| − (|a|+|b|+|c|) | = {}, {}{}: the paper's rule says {}",
-              short_number(test.deficit.value), compared, test.sum.value == 0 ? "" : ' ' + short_number(test.tolerance),
-              test.accepted ? "hit" : "miss");
+    page.line("       | |a+b+c| − (|a|+|b|+|c|) | = {}, {}: the paper's rule says {}", short_number(test.deficit.value),
+              tolerance_phrase(test), test.accepted ? "hit" : "miss");
 }
 
 /// Of many surfaces only those met are told in full.
@@ -207,27 +148,16 @@ void tell_shade(Page& page, const Story& story, const Shade& shade) {
               cut ? "" : triple(shade.sum), triple(story.traced));
 }
 
-std::string operation(const FirstHit& hit, const Step& step) {
-    const auto value = [&](StepNumber number) { return short_number(hit.steps[number].checked.value); };
-    if (operands(step.operation) == 1) return fmt::format("{} {}", word(step.operation), value(step.left));
-    return fmt::format("{} {} {}", value(step.left), word(step.operation), value(step.right));
-}
-
 void tell_losses(Page& page, const FirstHit& hit) {
-    const auto count = std::count_if(hit.steps.begin(), hit.steps.end(),
-                                     [](const StoryStep& s) { return operands(s.step.operation) > 0; });
-    page.heading(fmt::format("The rounding  {} operations", count));
+    page.heading(fmt::format("The rounding  {} operations", count_operations(hit)));
     if (!hit.worst) {
         page.line("none lost a bit: all are exact");
         return;
     }
     const auto& [step, name, checked] = hit.steps[*hit.worst];
-    page.line("the most was lost by  {} = {}{}", operation(hit, step), short_number(checked.value),
+    page.line("the most was lost by  {} = {}{}", operation(hit.steps, step), short_number(checked.value),
               name.empty() ? "" : fmt::format("  ({})", name));
-    const std::string place = step.operation == Operation::round
-                                  ? "when the scene's number was rounded to the scalar"
-                                  : fmt::format("at {}:{}", source(step.file), step.line);
-    page.line("{:<21} {:.1f} bits, {}", "", hit.worst_loss, place);
+    page.line("{:<21} {:.1f} bits, {}", "", hit.worst_loss, place(step));
     page.line("{:<21} truly {:.17g}, computed {:.17g}", "", checked.truth, checked.value);
 }
 

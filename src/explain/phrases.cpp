@@ -1,0 +1,98 @@
+#include "explain/phrases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "explain/words.hpp"
+
+namespace glassbox {
+
+using namespace story;
+
+std::string short_number(double value) { return fmt::format("{:.6g}", value); }
+
+std::string triple(const Vec3<double>& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string triple(const Vector& v) { return triple(Vec3<double>{v.x.value, v.y.value, v.z.value}); }
+std::string triple(Rgb c) { return fmt::format("({}, {}, {})", c.red, c.green, c.blue); }
+
+std::string hex(double value) { return fmt::format("{:a}", value); }
+
+std::string hex(long double value) {
+    const auto rounded = static_cast<double>(value);
+    return rounded < value || rounded > value ? fmt::format("{:a}", value) : hex(rounded);
+}
+
+std::string bound(double error) {
+    if (error == 0) return "exact";
+    return std::isfinite(error) ? fmt::format("± {:.1e}", error) : "± unknown";
+}
+
+std::string lost(double bits) { return bits == 0 ? "no bits lost" : fmt::format("{:.1f} bits lost", bits); }
+
+std::string_view sign(const Number& n) {
+    if (n.known == Known::not_at_all) return "unknown";
+    return n.sign > 0 ? "> 0" : n.sign < 0 ? "< 0" : "= 0";
+}
+
+std::string why(const Surface& surface, const Story& story) {
+    const auto t = [&] { return surface.t ? fmt::format("t = {}", short_number(surface.t->value)) : std::string(); };
+    switch (surface.fate) {
+        case Fate::nearest:
+            return fmt::format("met, nearest: {}", t());
+        case Fate::farther:
+            return fmt::format("met, but farther than surface {}: {}", story.hit ? story.hit->surface : 0, t());
+        case Fate::apart:
+            return "missed: Δ < 0, the line passes the sphere";
+        case Fate::outside:
+            return "missed: side products of both signs, the line passes outside";
+        case Fate::edge_on:
+            return "missed: all side products are 0, it is seen edge-on or has no area";
+        case Fate::behind:
+            return fmt::format("missed: behind the start, {} is not > 0", t());
+        case Fate::overflow:
+            return "missed: a number that decides has grown too large for the scalar";
+        case Fate::beyond_tolerance:
+            return "missed: the difference is not under the tolerance";
+        case Fate::refused:
+            return "missed: the rule that was chosen says no";
+    }
+    return "";
+}
+
+std::string verdict_phrase(const Story& story) {
+    if (story.options.stage == 1) return "stage 1 knows no surfaces: the colour is the ray's direction";
+    if (!story.hit) return "nothing is met: the background";
+    const std::size_t number = story.hit->surface;
+    const auto row = std::find_if(story.surfaces.begin(), story.surfaces.end(),
+                                  [&](const Surface& s) { return s.number == number; });
+    const std::string what = row == story.surfaces.end()
+                                 ? std::string("surface")
+                                 : fmt::format("{} of colour {}, surface", word(row->kind), triple(row->color));
+    return fmt::format("{} {}, at t = {}", what, number, short_number(story.hit->t.value));
+}
+
+std::string tolerance_phrase(const TriangleTest& test) {
+    if (test.sum.value == 0) return "but a+b+c is 0";
+    return fmt::format("{} {}", test.deficit.value < test.tolerance ? "under" : "not under",
+                       short_number(test.tolerance));
+}
+
+std::string operation(std::span<const StoryStep> steps, const Step& step) {
+    const auto value = [&](StepNumber number) { return short_number(steps[number].checked.value); };
+    if (operands(step.operation) == 1) return fmt::format("{} {}", word(step.operation), value(step.left));
+    return fmt::format("{} {} {}", value(step.left), word(step.operation), value(step.right));
+}
+
+std::string place(const Step& step) {
+    return step.operation == Operation::round ? "when the scene's number was rounded to the scalar"
+                                              : fmt::format("at {}:{}", source(step.file), step.line);
+}
+
+std::size_t count_operations(const FirstHit& hit) {
+    return static_cast<std::size_t>(std::count_if(hit.steps.begin(), hit.steps.end(),
+                                                  [](const StoryStep& s) { return operands(s.step.operation) > 0; }));
+}
+
+}  // namespace glassbox
