@@ -79,6 +79,7 @@ constexpr NameTable<StepTo, 6> step_targets{{
     {"cancellation", StepTo::next_cancellation, ""},
 }};
 constexpr NameTable<bool, 2> themes{{{"dark", true, ""}, {"light", false, ""}}};
+constexpr NameTable<bool, 2> count_axes{{{"log", true, ""}, {"linear", false, ""}}};
 constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
 /// What `set NAME VALUE` can set.
@@ -153,6 +154,15 @@ constexpr Settable settables[] = {
     {"opacity",
      [](Name name, Name typed) {
          return change([value = number(name, typed, 0, 1)](ViewerState& s) { s.overlay.opacity = value; });
+     }},
+    {"counts",
+     [](Name name, Name typed) {
+         return change([log = chosen(name, typed, count_axes)](ViewerState& s) { s.overlay_page.log_counts = log; });
+     }},
+    {"side-width",
+     [](Name name, Name typed) {
+         const auto part = static_cast<float>(number(name, typed, .1, .75));
+         return change([part](ViewerState& s) { s.side_width = part; });
      }},
 };
 

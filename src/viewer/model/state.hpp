@@ -20,6 +20,12 @@ struct Overlay {
     bool operator==(const Overlay&) const = default;
 };
 
+/// How the overlay's page looks.
+struct OverlayPage {
+    std::string filter;      ///< of the list of measurements
+    bool log_counts = true;  ///< of the histogram: few pixels can be seen beside many
+};
+
 /// What stands on the right of the split.
 enum class Beside {
     nothing,     ///< one picture, the overlay over all of it
@@ -70,6 +76,7 @@ struct ViewerState {
     std::optional<Pixel> hovered, pinned, compared;
 
     Overlay overlay;
+    OverlayPage overlay_page;
     Beside beside = Beside::nothing;
     double split = 0.5;  ///< where the split is, from the picture area's left (0) to its right (1)
     Options other;       ///< what `Beside::other` is computed by: its scalar and rules count

@@ -1,7 +1,27 @@
-#include "viewer/ui/panels.hpp"
+#include "viewer/ui/overlay/parts.hpp"
 
 namespace glassbox {
 
-void draw_overlay(const Frame&) { ImGui::TextUnformatted("overlay"); }
+namespace {
+
+void heading(const Frame& frame, const char* text) {
+    ImGui::Dummy({0, ImGui::GetFontSize() * .2f});
+    ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::Separator();
+}
+
+}  // namespace
+
+void draw_overlay(const Frame& frame) {
+    draw_measurement_list(frame);
+    if (!frame.state.overlay.measurement.empty()) {
+        heading(frame, "What the colours mean");
+        draw_legend(frame);
+    }
+    heading(frame, "Beside the picture");
+    draw_beside(frame);
+}
 
 }  // namespace glassbox

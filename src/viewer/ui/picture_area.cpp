@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/legend_number.hpp"
+#include "viewer/ui/overlay/beside.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {
@@ -74,8 +75,10 @@ std::vector<std::string> numbers_in(const Canvas& canvas, int x, int y, bool ove
     };
     std::vector<std::string> lines;
     if (overlaid) {
-        for (const Plane& plane : results.overlay->planes)
-            lines.push_back(fmt::format("{:.4g}", plane.values[index(plane.width)]));
+        for (const Plane& plane : results.overlay->planes) {
+            const double value = plane.values[index(plane.width)];
+            lines.push_back(std::isnan(value) ? "–" : legend_number(value));
+        }
         return lines;
     }
     const Rgb c = results.picture.image->at(x, y);
@@ -153,6 +156,35 @@ void draw_split(const Canvas& canvas) {
         state.split = std::clamp((ImGui::GetIO().MousePos.x - canvas.corner.x) / canvas.size.x, 0.f, 1.f);
 }
 
+/// What stands on a side of the split, at its top, from `left` to `right`.
+void draw_label(const Canvas& canvas, float left, float right, const std::string& text) {
+    const float size = ImGui::GetFontSize(), pad = size / 4, room = right - left - 4 * pad;
+    if (room < 4 * size) return;
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+    const ImVec2 corner{left + pad, canvas.corner.y + pad};
+    canvas.list.AddRectFilled(corner, {corner.x + extent.x + 2 * pad, corner.y + extent.y + pad},
+                              IM_COL32(0, 0, 0, 200), pad);
+    canvas.list.AddText(ImGui::GetFont(), size, {corner.x + pad, corner.y + pad / 2}, IM_COL32_WHITE, text.c_str(),
+                        nullptr, room);
+}
+
+void draw_labels(const Canvas& canvas) {
+    const ViewerState& state = canvas.frame.state;
+    if (state.beside == Beside::nothing) return;
+    const Options& now = state.setup.now().options;
+    Options other = now;
+    other.scalar = state.other.scalar;
+    other.triangle_rule = state.other.triangle_rule;
+    other.sphere_rule = state.other.sphere_rule;
+    const float split = canvas.split();
+    std::string right = state.overlay.measurement.empty() ? "no overlay" : state.overlay.measurement;
+    if (state.beside == Beside::other) right = "other: " + how_computed(other);
+    if (state.beside == Beside::difference)
+        right = fmt::format("difference × {} from: {}", Difference::magnification, how_computed(other));
+    draw_label(canvas, canvas.corner.x, split, "this: " + how_computed(now));
+    draw_label(canvas, split, canvas.corner.x + canvas.size.x, right);
+}
+
 /// Which pixel of the scene's picture the mouse is on.
 std::optional<Pixel> pointed_at(const Canvas& canvas) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -216,6 +248,7 @@ void draw_picture(const Frame& frame) {
     if (state.compared) draw_pin(canvas, *state.compared, frame.palette.second, "2");
     if (state.pinned) draw_pin(canvas, *state.pinned, frame.palette.accent, "1");
     draw_split(canvas);
+    draw_labels(canvas);
     canvas.list.PopClipRect();
 }
 

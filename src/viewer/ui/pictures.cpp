@@ -1,7 +1,6 @@
 #include "viewer/ui/pictures.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -33,19 +32,6 @@ std::vector<Rgba> watched(const Image& image, std::size_t shown) {
     return pixels;
 }
 
-/// Where two pictures are equal: nearly black; where they differ: the difference, eight times as bright.
-Image magnified_difference(const Image& one, const Image& other) {
-    Image result(one.width, one.height);
-    const auto channel = [](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(std::min(255, 8 * std::abs(int{a} - int{b})));
-    };
-    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        const Rgb a = one.pixels[i], b = other.pixels[i];
-        result.pixels[i] = {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
-    }
-    return result;
-}
-
 }  // namespace
 
 void Pictures::update(const ViewerState& state, const Results& results) {
@@ -59,14 +45,27 @@ void Pictures::update(const ViewerState& state, const Results& results) {
         else fill(picture_, image);
     }
 
-    const bool other_choice = std::exchange(overlay_choice_, state.overlay) != state.overlay;
-    if ((renewed(overlay_serial_, results.overlay_serial) || other_choice) && results.overlay)
-        fill(overlay_, colored({results.overlay->what, results.overlay->planes}));
+    const bool other_range = std::exchange(overlay_range_, state.overlay.range) != state.overlay.range;
+    const bool other_overlay = renewed(overlay_serial_, results.overlay_serial);
+    if (!results.overlay) distributions_.clear();
+    else if (other_overlay || other_range || distributions_.empty()) {
+        const auto& [what, planes, factor] = *results.overlay;
+        fill(overlay_, colored({what, planes}, state.overlay.range));
+        distributions_.clear();
+        for (const Plane& plane : planes) distributions_.push_back(distribution(*what, plane, state.overlay.range));
+    }
 
-    if (renewed(other_serial_, results.other_serial) && results.other.image) fill(other_, *results.other.image);
-    if (renewed(difference_serial_, results.picture_serial + results.other_serial) && results.other.image &&
-        results.picture.image && results.picture.factor == results.other.factor)
-        fill(difference_, magnified_difference(*results.picture.image, *results.other.image));
+    const Picture &one = results.picture, &other = results.other;
+    if (renewed(other_serial_, results.other_serial) && other.image) fill(other_, *other.image);
+    if (!other.image) differing_.reset();
+    if (!renewed(difference_serial_, results.picture_serial + results.other_serial)) return;
+    differing_.reset();
+    if (!one.image || !other.image || one.image->width != other.image->width ||
+        one.image->height != other.image->height)
+        return;
+    const Difference found = picture_difference(*one.image, *other.image);
+    fill(difference_, found.magnified);
+    if (one.factor == 1 && other.factor == 1) differing_ = {found.pixels, found.greatest, found.where};
 }
 
 }  // namespace glassbox

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+// The parts of the overlay's page, one below the other.
+
+void draw_measurement_list(const Frame& frame);
+void draw_legend(const Frame& frame);  ///< opacity, range, what the colours stand for, and how often
+
+/// The values of one component, above its bar of colours; dragging over it sets the range. `axis` is 0 to 2 for a
+/// direction's x, y, z, and -1 otherwise.
+void draw_histogram(const Frame& frame, int axis);
+
+void draw_beside(const Frame& frame);
+
+/// A square of that colour, and what it stands for.
+void swatch(Rgb color, const std::string& text);
+
+/// "12 pixels", "1 pixel".
+std::string pixels(std::int64_t count);
+
+/// "3.5 |D|"
+std::string with_unit(const std::string& number, std::string_view unit);
+
+/// Text in a faint colour, wrapped.
+void faint(const Frame& frame, std::string_view text);
+
+}  // namespace glassbox
