@@ -53,8 +53,9 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
     story.met = said.met.size();
     story.traced = scene.background;
     if (options.stage == 1) {
-        const auto [color, rounded] = ray_story(said, options.scalar, story.column, story.row, detail);
+        auto [color, rounded, steps] = ray_story(said, options.scalar, story.column, story.row, detail);
         story.ray_color = color;
+        story.ray_steps = std::move(steps);
         story.traced = rounded;
     } else if (said.nearest) {
         auto [hit, color] = hit_story(scene, all, options, said, colors[said.nearest->surface], detail);

@@ -1,6 +1,5 @@
 #include "explain/hit_story.hpp"
 
-#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -8,7 +7,9 @@
 
 #include "explain/heard.hpp"
 #include "explain/inputs.hpp"
+#include "explain/loss.hpp"
 #include "explain/scalar_of_steps.hpp"
+#include "explain/told_steps.hpp"
 #include "render/exact_crossing.hpp"
 #include "render/search.hpp"
 #include "render/tracer.hpp"
@@ -48,6 +49,7 @@ struct RecordedHit {
     Shape shape;
     Recorded<Real> t;
     bool t_by_exact = false;
+    std::size_t test_steps = 0;  ///< how many steps of the tape are the test
 };
 
 template <class Real, class Shape, class Rule>
@@ -56,10 +58,11 @@ auto record_hit(Tape& tape, Heard<Real>& heard, const Verdict& verdict, const Op
     const Ray<Recorded<Real>> ray = input<Real>(tape, verdict.ray);
     const auto recorded = input<Real>(tape, shape);
     const Crossing<Recorded<Real>> crossing = intersect(ray, recorded, rule, heard);
+    const std::size_t test_steps = tape.steps().size();
     const bool by_exact = is_proven(options.scalar) && static_cast<double>(crossing.t.value()) != verdict.nearest->t;
     const Recorded<Real> t = by_exact ? Recorded<Real>::input(tape, verdict.nearest->t, "t") : crossing.t;
     name(t, "t");
-    return RecordedHit<Real, std::remove_const_t<decltype(recorded)>>{ray, recorded, t, by_exact};
+    return RecordedHit<Real, std::remove_const_t<decltype(recorded)>>{ray, recorded, t, by_exact, test_steps};
 }
 
 /// The unit normal, as the renderer finds it.
@@ -136,21 +139,11 @@ Shade shade_story(const Scene& scene, const Lookup& look, const Heard<Real>& hea
 /// Finds the step that lost the most bits beyond those that its operands had lost.
 void find_worst(FirstHit& hit) {
     for (std::size_t i = 0; i < hit.steps.size(); ++i) {
-        const auto& [step, its_name, checked] = hit.steps[i];
-        if (operands(step.operation) == 0 || !(checked.bits_lost > 0)) continue;
-        const auto lost = [&](StepNumber operand) { return hit.steps[operand].checked.bits_lost; };
-        const double loss = checked.bits_lost - std::max(lost(step.left), lost(step.right));
+        const double loss = bits_lost_by(hit.steps, hit.steps[i]);
         if (!(loss > hit.worst_loss)) continue;
         hit.worst = static_cast<StepNumber>(i);
         hit.worst_loss = loss;
     }
-}
-
-void tell_steps(FirstHit& hit, const Tape& tape, const Lookup& look) {
-    std::vector<std::string> names = tape.names();
-    for (std::size_t i = 0; i < look.all().size(); ++i)
-        hit.steps.push_back({tape.steps()[i], std::move(names[i]), look.all()[i]});
-    find_worst(hit);
 }
 
 template <class Real, class Shape, class Rule>
@@ -177,7 +170,9 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
     hit.point = look(point);
     hit.normal = look(n);
     if (shade) hit.shade = shade_story(scene, look, heard, *shade, own);
-    tell_steps(hit, tape, look);
+    hit.steps = told_steps(tape, look.all());
+    hit.tested_before = at_hit.test_steps;
+    find_worst(hit);
     return {std::move(hit), shade ? shade->color : own};
 }
 
@@ -200,8 +195,10 @@ ToldRay ray_story(const Verdict& verdict, Scalar scalar, int column, int row, De
     return with_scalar_of_steps(scalar, [&]<class Real>(std::type_identity<Real>) -> ToldRay {
         Tape tape(Precision::of<Real>());
         const Vec3<Recorded<Real>> color = ray_color(input<Real>(tape, verdict.ray), column, row);
+        name(color, "colour");
+        const Rgb bytes = rounded(color);
         const Lookup look(tape, detail);
-        return {look(color), rounded(color)};
+        return {look(color), bytes, told_steps(tape, look.all())};
     });
 }
 

@@ -19,6 +19,7 @@ ToldHit hit_story(const Scene& scene, const Surfaces<double>& surfaces, const Op
 struct ToldRay {
     story::Vector color;
     Rgb rounded;
+    std::vector<story::StoryStep> steps;
 };
 ToldRay ray_story(const Verdict& verdict, Scalar scalar, int column, int row, Detail detail);
 

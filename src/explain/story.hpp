@@ -61,6 +61,13 @@ struct TriangleTest {
 
 enum class Kind { sphere, triangle, mesh_face };
 
+/// A step of the tape with its name and what became of it.
+struct StoryStep {
+    Step step;
+    std::string name;
+    Checked checked;
+};
+
 struct Surface {
     std::size_t number = 0;  ///< among all surfaces
     Kind kind = Kind::sphere;
@@ -69,6 +76,7 @@ struct Surface {
     std::optional<Number> t;    ///< where the line meets it, if it does
     bool needed_exact = false;  ///< error bounds could not tell whether it is met
     std::variant<SphereTest, TriangleTest> test;
+    std::vector<StoryStep> steps;  ///< of the test by the rule that was chosen
 };
 
 /// One term of the shading: k, what it comes to at this point, and its light.
@@ -91,13 +99,6 @@ struct Shade {
     Vector sum;  ///< of the products
 };
 
-/// A step of the tape with its name and what became of it.
-struct StoryStep {
-    Step step;
-    std::string name;
-    Checked checked;
-};
-
 /// Where the ray first meets a surface, and all that was computed there.
 struct FirstHit {
     std::size_t surface = 0;
@@ -105,7 +106,8 @@ struct FirstHit {
     bool t_by_exact = false;  ///< t is the truth rounded once, and not what the steps give
     Vector point, normal;
     std::optional<Shade> shade;  ///< from stage 4
-    std::vector<StoryStep> steps;
+    std::vector<StoryStep> steps;   ///< from the surface's test on
+    std::size_t tested_before = 0;  ///< so many of them are that test again, as the surface's own steps tell it
     std::optional<StepNumber> worst;  ///< the step that lost the most bits beyond those of its operands
     double worst_loss = 0;            ///< how many
 };
@@ -125,6 +127,7 @@ struct Story {
     Rgb traced;           ///< what the ray brings: differs from `color` on the border only
     Ray<double> ray;
     std::optional<story::Vector> ray_color;  ///< stage 1: the direction as a colour
+    std::vector<story::StoryStep> ray_steps;  ///< and how it was computed
     std::size_t tested = 0, met = 0;
     std::vector<story::Surface> surfaces;  ///< those met, and the nearest misses
     std::size_t not_listed = 0;            ///< how many more were missed

@@ -7,6 +7,7 @@
 #include "explain/heard.hpp"
 #include "explain/inputs.hpp"
 #include "explain/scalar_of_steps.hpp"
+#include "explain/told_steps.hpp"
 #include "render/exact_crossing.hpp"
 
 namespace glassbox {
@@ -153,15 +154,6 @@ Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Opti
     return why_missed(test, options);
 }
 
-/// t as the rule computed it, if it came to that.
-template <class Real, class Shape, class Rule>
-std::optional<Number> recorded_t(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
-    Tested<Real> tested(ray, shape, rule);
-    if (!tested.crossing.t.tape()) return {};
-    tested.replay();
-    return tested(tested.crossing.t);
-}
-
 template <class Real, class Shape, class Rule>
 Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, const Options& options,
                 const Verdict& verdict, std::size_t number) {
@@ -169,7 +161,11 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     result.number = number;
     const auto test = test_of<Real>(ray, shape, options);
     result.test = test;
-    result.t = recorded_t<Real>(ray, shape, rule);
+    Tested<Real> tested(ray, shape, rule);
+    name(tested.crossing.t, "t");
+    tested.replay();
+    if (tested.crossing.t.tape()) result.t = tested(tested.crossing.t);  // if the rule came to that
+    result.steps = told_steps(tested.tape, tested.checked);
     const auto met = std::find_if(verdict.met.begin(), verdict.met.end(),
                                   [&](const Hit<double>& hit) { return hit.surface == number; });
     if (met == verdict.met.end()) {

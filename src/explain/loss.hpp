@@ -1,0 +1,27 @@
+#pragma once
+#include <algorithm>
+#include <span>
+
+#include "explain/story.hpp"
+
+namespace glassbox {
+
+/// How many bits an operation lost beyond those that its operands had lost; 0 for inputs, comparisons, and where the
+/// truth is not known. `steps` are all of its tape.
+inline double bits_lost_by(std::span<const story::StoryStep> steps, const story::StoryStep& told) {
+    const auto lost = [&](StepNumber operand) { return steps[operand].checked.bits_lost; };
+    if (operands(told.step.operation) == 0 || !(told.checked.bits_lost > 0)) return 0;
+    const double before = std::max(lost(told.step.left), lost(told.step.right));
+    return std::max(0.0, told.checked.bits_lost - before);
+}
+
+/// From how many bits on a sum's or difference's own loss is called a cancellation: a correctly rounded result of exact
+/// operands is off by half a unit in the last place at most, which is log2(1.5) = 0.58 bits.
+inline constexpr double cancellation_from = 1;
+
+inline bool is_cancellation(std::span<const story::StoryStep> steps, const story::StoryStep& told) {
+    const bool sum = told.step.operation == Operation::add || told.step.operation == Operation::subtract;
+    return sum && bits_lost_by(steps, told) >= cancellation_from;
+}
+
+}  // namespace glassbox
