@@ -58,6 +58,10 @@ void add_picture_options(CLI::App& command, Request& request) {
                 [&](auto name, Typed typed) { request.options.stage = whole_number(name, typed, 1, 5); });
     picture.add("--turn", "AXIS:DEGREES,...", "turn the view about the world's axes, in this order: z:10,y:-20",
                 [&](auto name, Typed typed) { request.options.turns = turns(name, typed); });
+    command
+        .add_flag("--accumulated", request.options.accumulated,
+                  "add the turns one to another, each rounded, instead of turning once by all of them")
+        ->group(picture.title);
 }
 
 void add_shading_options(CLI::App& command, Request& request) {
@@ -73,6 +77,9 @@ void add_shading_options(CLI::App& command, Request& request) {
                request.exponent);
     shading.add("--shading", "MODEL", either(shading_models),
                 [&](auto name, Typed typed) { request.model = chosen(name, typed, shading_models); });
+    shading.add("--light", "X,Y,Z", "towards the light, from the world's origin",
+                [&](auto name, Typed typed) { request.light = direction(name, typed); });
+    add_factor("--intensity", "I", "of the light, 1 for full", request.intensity);
 }
 
 void add_computing_options(CLI::App& command, Request& request) {
@@ -122,6 +129,8 @@ Scene load(const Request& request) {
     shading.k_d = request.diffuse.value_or(shading.k_d);
     shading.k_s = request.specular.value_or(shading.k_s);
     shading.exponent = request.exponent.value_or(shading.exponent);
+    scene.light_position = request.light.value_or(scene.light_position);
+    scene.light_intensity = request.intensity.value_or(scene.light_intensity);
     return scene;
 }
 

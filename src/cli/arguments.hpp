@@ -17,7 +17,8 @@ struct Request {
     int threads = 0;  ///< 0: all cores
     std::optional<std::pair<int, int>> size;
     std::optional<ShadingModel> model;
-    std::optional<double> ambient, diffuse, specular, exponent;
+    std::optional<double> ambient, diffuse, specular, exponent, intensity;
+    std::optional<Vec3<double>> light;
 };
 
 /// Gives a subcommand the SCENE argument and the options that all of them share.

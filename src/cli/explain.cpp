@@ -26,8 +26,10 @@ struct ExplainRequest : Request {
 std::string again(const CLI::App& command, const ExplainRequest& request) {
     std::string line = fmt::format("glassbox {} {}", command.get_name(), shell_word(request.scene));
     for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || option->get_positional() || option->get_expected_max() == 0) continue;
-        line += fmt::format(" --{} {}", option->get_lnames().front(), shell_word(option->results().front()));
+        const std::string name = option->get_lnames().empty() ? std::string() : option->get_lnames().front();
+        if (option->count() == 0 || option->get_positional() || name == "json") continue;
+        line += " --" + name;
+        if (option->get_expected_max() > 0) line += ' ' + shell_word(option->results().front());
     }
     return line;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/option_names.hpp"
+#include "scene/direction.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -53,6 +54,20 @@ double factor(std::string_view option, const std::string& typed) {
     if (!value || !std::isfinite(*value) || *value < 0)
         throw wrong(option, fmt::format("'{}' must be a number, 0 or more", typed));
     return *value;
+}
+
+Vec3<double> direction(std::string_view option, const std::string& typed) {
+    const std::vector<std::string> words = between_commas(typed);
+    std::vector<double> xyz;
+    for (const std::string& word : words)
+        if (const std::optional<double> value = read<double>(word); value && std::isfinite(*value))
+            xyz.push_back(*value);
+    if (words.size() != 3 || xyz.size() != 3)
+        throw wrong(option, fmt::format("'{}' must be X,Y,Z, three numbers, such as 1000,250,250", typed));
+    const Vec3<double> v{xyz[0], xyz[1], xyz[2]};
+    if (const std::string why = why_no_direction(v); !why.empty())
+        throw wrong(option, fmt::format("'{}' {}", typed, why));
+    return v;
 }
 
 std::pair<int, int> size(std::string_view option, const std::string& typed) {

@@ -29,6 +29,9 @@ double number(std::string_view option, const std::string& typed, double least, d
 /// A finite number, 0 or more.
 double factor(std::string_view option, const std::string& typed);
 
+/// "X,Y,Z", a vector that has a direction.
+Vec3<double> direction(std::string_view option, const std::string& typed);
+
 /// Width and height: "800x600".
 std::pair<int, int> size(std::string_view option, const std::string& typed);
 

@@ -43,6 +43,7 @@ void run(const ViewRequest& request) {
     std::vector<ScriptStep> script;
     if (!request.script.empty()) script = read_script(request.script);
     ViewerState state = opened(scene_path(request.scene));
+    state.scene_menu.folder = shipped_scenes();
     if (!request.pixel.empty()) {
         const auto [x, y] = pixel("--pixel", request.pixel, *state.scene);
         state.pinned = Pixel{x, y};

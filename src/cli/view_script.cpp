@@ -51,13 +51,6 @@ std::optional<Pixel> pixel_or_none(const std::string& name, const std::string& t
     return Pixel{whole_number(name, words[0], 0, max_side), whole_number(name, words[1], 0, max_side)};
 }
 
-Vec3<double> vector(const std::string& name, const std::string& typed) {
-    const Words words = between_commas(typed);
-    if (words.size() != 3) throw wrong(name, fmt::format("'{}' must be X,Y,Z", typed));
-    const auto coordinate = [&](const std::string& word) { return number(name, word, -1e100, 1e100); };
-    return {coordinate(words[0]), coordinate(words[1]), coordinate(words[2])};
-}
-
 constexpr NameTable<Page, 4> pages{{
     {"inspector", Page::inspector, ""},
     {"steps", Page::steps, ""},
@@ -80,6 +73,7 @@ constexpr NameTable<StepTo, 6> step_targets{{
 }};
 constexpr NameTable<bool, 2> themes{{{"dark", true, ""}, {"light", false, ""}}};
 constexpr NameTable<bool, 2> count_axes{{{"log", true, ""}, {"linear", false, ""}}};
+constexpr NameTable<bool, 2> ways_to_turn{{{"accumulated", true, ""}, {"rebuilt", false, ""}}};
 constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
 /// What `set NAME VALUE` can set.
@@ -106,11 +100,15 @@ constexpr Settable settables[] = {
      }},
     {"light",
      [](Name name, Name typed) {
-         return change_setup([position = vector(name, typed)](Setup& s) { s.light_position = position; });
+         return change_setup([position = direction(name, typed)](Setup& s) { s.light_position = position; });
      }},
     {"intensity",
      [](Name name, Name typed) {
          return change_setup([value = factor(name, typed)](Setup& s) { s.light_intensity = value; });
+     }},
+    {"turns",
+     [](Name name, Name typed) {
+         return change_setup([added = chosen(name, typed, ways_to_turn)](Setup& s) { s.options.accumulated = added; });
      }},
     {"scalar",
      [](Name name, Name typed) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/direction.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 
@@ -108,14 +109,8 @@ Vec3<double> direction(const Value& value) {
 }
 
 void expect_direction(const Vec3<double>& v, const Value& value, std::string_view what) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (largest == 0)
-        throw error_at(place(value), fmt::format("{} is 0 in x, y and z; it must have a direction", what));
-    // Within this range no square of a component over- or underflows.
-    if (!(largest >= 1e-150 && largest <= 1e150))
-        throw error_at(
-            place(value),
-            fmt::format("{} has the size {}; its squares fit a double only from 1e-150 to 1e150", what, largest));
+    if (const std::string why = why_no_direction(v); !why.empty())
+        throw error_at(place(value), fmt::format("{} {}", what, why));
 }
 
 Rgb color(const Value& value) {

@@ -98,6 +98,12 @@ TEST_CASE("values of options") {
         {render({"--triangle", "plucker"}), {"--triangle: 'plucker' is not known; did you mean 'pluecker'?"}},
         {render({"--triangle", "tolerance:"}), {"--triangle tolerance: '' must be a number, 0 or more"}},
         {render({"--triangle", "tolerance:-1"}), {"--triangle tolerance: '-1' must be a number, 0 or more"}},
+        {render({"--intensity", "-1"}), {"--intensity: '-1' must be a number, 0 or more"}},
+        {render({"--light", "1,2"}), {"--light: '1,2' must be X,Y,Z, three numbers"}},
+        {render({"--light", "1,2,x"}), {"--light: '1,2,x' must be X,Y,Z"}},
+        {render({"--light", "1,2,inf"}), {"--light: '1,2,inf' must be X,Y,Z"}},
+        {render({"--light", "0,0,0"}), {"--light: '0,0,0' is 0 in x, y and z; it must have a direction"}},
+        {render({"--light", "1e200,0,0"}), {"--light: '1e200,0,0' has the size 1e+200", "from 1e-150 to 1e150"}},
         {render({"--sphere", "round"}), {"--sphere: 'round' is not known", "'stable', 'textbook'"}},
     });
 }
@@ -138,8 +144,9 @@ TEST_CASE("help and version: for every command, on stdout, status 0") {
     }
     for (const char* command : {"render", "measure", "shoot"}) {
         const Ran page = run_glassbox({command, "-h"}, {.folder = folder.path});
-        for (const char* option : {"--size", "--stage", "--turn", "--ambient", "--diffuse", "--specular", "--exponent",
-                                   "--shading", "--scalar", "--triangle", "--sphere", "--threads", "Example: glassbox"})
+        for (const char* option : {"--size", "--stage", "--turn", "--accumulated", "--light", "--intensity",
+                                   "--ambient", "--diffuse", "--specular", "--exponent", "--shading", "--scalar",
+                                   "--triangle", "--sphere", "--threads", "Example: glassbox"})
             CHECK_MESSAGE(page.out.find(option) != std::string::npos, option);
     }
 }

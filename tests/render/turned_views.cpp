@@ -104,3 +104,40 @@ TEST_CASE("another size shows the same view") {
     CHECK(pixel_ray(narrower, 0, 0, 500).P == pixel_ray(before, 125, 0, 500).P);
     CHECK(pixel_ray(narrower, 249, 499, 500).P == pixel_ray(before, 374, 499, 500).P);
 }
+
+TEST_CASE("accumulated turns agree with rebuilt ones to within the drift, and only they drift") {
+    const Scene scene = read_scene(SCENES "/levental-2014.toml");
+    Options rebuilt, accumulated;
+    rebuilt.turns.assign(36, {Axis::z, 10});
+    accumulated.turns = rebuilt.turns;
+    accumulated.accumulated = true;
+    const auto start = [&](const Options& options) { return pixel_ray(view(scene, options), 499, 0, scene.height).P; };
+    const Point from = start({});
+    // 36 times 10 degrees are 360, and cos 360° = 1, sin 360° = 0 exactly: not a bit is lost.
+    CHECK(start(rebuilt) == from);
+    // Each turn rounds coordinates up to 707 a few times.
+    const double drift = length(start(accumulated) - from);
+    CHECK(drift > 0);
+    CHECK(drift < 36 * 8 * 707 * 0x1p-52);
+    const Measurement* const what = find_measurement("drift");
+    const auto planes = measure(scene, accumulated, std::span(&what, 1));
+    CHECK(planes[0][0].values[499] == drift);  // pixel (499, 0)
+}
+
+TEST_CASE("quarter turns lose nothing, one by one or all at once") {
+    const Scene scene = read_scene(SCENES "/levental-2014.toml");
+    for (const bool accumulated : {false, true}) {
+        Options options;
+        options.accumulated = accumulated;
+        options.turns.assign(3, {Axis::z, 90});
+        // (500, j, i) turned by 270° about z: (j, −500, i), here with j = i = 499.
+        CHECK(pixel_ray(view(scene, options), 499, 0, scene.height).P == Point{499, -500, 499});
+    }
+}
+
+TEST_CASE("huge angles about one axis are added without overflow") {
+    const Scene scene = read_scene(SCENES "/levental-2014.toml");
+    Options options;
+    options.turns.assign(2, {Axis::z, 1e308});
+    CHECK(std::isfinite(pixel_ray(view(scene, options), 0, 0, scene.height).P.x));
+}

@@ -28,6 +28,7 @@ std::string explain_command(const std::filesystem::path& file, const Scene& scen
     const auto& [options, shading, light, intensity] = setup;
     add("stage", options.stage, original.options.stage);
     add("turn", turns(options), std::string());
+    if (options.accumulated) line += " --accumulated";
     add("ambient", shading.k_a, original.shading.k_a);
     add("diffuse", shading.k_d, original.shading.k_d);
     add("specular", shading.k_s, original.shading.k_s);

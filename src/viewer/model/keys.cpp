@@ -39,6 +39,7 @@ void move_pin(State& state, const Results&, const KeyPress& press) {
 
 void unpin(State& state, const Results&, const KeyPress&) {
     if (state.keys_shown) state.keys_shown = false;
+    else if (state.scene_menu.shown) state.scene_menu.shown = false;
     else if (state.compared) state.compared.reset();
     else state.pinned.reset();
 }
@@ -106,6 +107,8 @@ constexpr KeyBinding bindings[] = {
      [](State& s, const Results&, const KeyPress&) { change_text_size(s, 2); }},
     {control('-'), "Ctrl −", "smaller text", "Everything",
      [](State& s, const Results&, const KeyPress&) { change_text_size(s, -2); }},
+    {control('o'), "Ctrl+O", "open another scene", "Everything",
+     [](State& s, const Results&, const KeyPress&) { s.scene_menu.shown = !s.scene_menu.shown; }},
     {character('?'), "?", "show or hide this list", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.keys_shown = !s.keys_shown; }},
 };

@@ -1,4 +1,7 @@
 #pragma once
+#include <span>
+#include <string>
+
 #include "render/options.hpp"
 #include "scene/scene.hpp"
 
@@ -30,10 +33,25 @@ inline constexpr Figure figures[] = {
     {"Final", .2, 1, .2},
 };
 
-/// The same setup with a figure's coefficients.
+/// The same setup, shaded as the paper's program shaded that figure: its model, exponent 15, its colours, intensity 1,
+/// and at least the stage that knows shading.
 Setup with_figure(Setup setup, const Figure& figure);
 
-/// The same setup, turned further. A turn about the axis of the last one is added to it.
+/// The same setup, turned further.
 Setup turned(Setup setup, Axis axis, double degrees);
+
+/// The turns in words, equal neighbours counted: "z 10° × 36, y −20°"; "none".
+std::string turns_in_words(std::span<const Turn<double>> turns);
+
+/// A setup for a scene whose file has changed: what was as the file said follows it, what the user changed stays.
+Setup followed(Setup setup, const Scene& before, const Scene& after);
+
+/// Where a vector points: the azimuth counts from x counter-clockwise about z, the elevation from the xy plane towards
+/// z, both in degrees.
+struct Pointing {
+    double azimuth = 0, elevation = 0, distance = 1;
+};
+Pointing pointing(const Vec3<double>& v);
+Vec3<double> vector_of(const Pointing& pointing);
 
 }  // namespace glassbox

@@ -1,5 +1,7 @@
 #include "viewer/model/state.hpp"
 
+#include <algorithm>
+
 #include "scene/error.hpp"
 #include "scene/scene_file.hpp"
 
@@ -23,18 +25,28 @@ ViewerState opened(const std::filesystem::path& file) {
     return state;
 }
 
+void list_scenes(SceneMenu& menu) {
+    menu.scenes.clear();
+    std::error_code none;
+    if (menu.folder.empty()) return;
+    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(menu.folder, none)) {
+        if (entry.path().extension() != ".toml") continue;
+        try {
+            menu.scenes.push_back({entry.path(), read_scene(entry.path()).title});
+        } catch (const Error&) {  // whoever opens it is told why it cannot be read
+            menu.scenes.push_back({entry.path(), ""});
+        }
+    }
+    std::sort(menu.scenes.begin(), menu.scenes.end(),
+              [](const ListedScene& a, const ListedScene& b) { return a.file < b.file; });
+}
+
 Scene present_scene(const ViewerState& state) { return applied(*state.scene, state.setup.now()); }
 
 void reload(ViewerState& state) {
     try {
         auto scene = std::make_shared<const Scene>(read_scene(state.file));
-        // What the user has not touched follows the file.
-        Setup setup = state.setup.now();
-        const Setup before = setup_of(*state.scene), after = setup_of(*scene);
-        if (setup.shading == before.shading) setup.shading = after.shading;
-        if (setup.light_position == before.light_position) setup.light_position = after.light_position;
-        if (setup.light_intensity == before.light_intensity) setup.light_intensity = after.light_intensity;
-        state.setup.amend(setup);
+        state.setup.replace_all([&](const Setup& setup) { return followed(setup, *state.scene, *scene); });
         if (scene->width != state.scene->width || scene->height != state.scene->height) state.fit = true;
         state.scene = std::move(scene);
         state.pinned = if_on(*state.scene, state.pinned);
@@ -48,6 +60,7 @@ void reload(ViewerState& state) {
 void open(ViewerState& state, const std::filesystem::path& file) {
     try {
         ViewerState fresh = opened(file);
+        fresh.scene_menu = state.scene_menu;
         fresh.appearance = state.appearance;
         fresh.page = state.page;
         fresh.space_shown = state.space_shown;

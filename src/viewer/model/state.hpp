@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.hpp"
 #include "viewer/model/history.hpp"
@@ -43,6 +44,20 @@ struct Appearance {
 };
 
 inline constexpr float least_text_size = 12, greatest_text_size = 48;
+
+/// A scene that can be opened.
+struct ListedScene {
+    std::filesystem::path file;
+    std::string title;  ///< empty: it has none, or cannot be read
+};
+
+/// What can be opened instead.
+struct SceneMenu {
+    bool shown = false;
+    std::filesystem::path folder;     ///< of the scenes that come with Glassbox; empty: not there
+    std::vector<ListedScene> scenes;  ///< by name; see list_scenes
+    std::string typed;                ///< a path
+};
 
 /// The pages of the panel on the right.
 enum class Page { inspector, steps, overlay, controls };
@@ -92,11 +107,17 @@ struct ViewerState {
     float space_height = 0.35f;  ///< a part of the window's
     Orbit orbit;
     bool keys_shown = false;
+    SceneMenu scene_menu;
+    bool turning = false;        ///< the mouse, dragged over the picture, turns the view
+    bool light_refused = false;  ///< what was typed for the light has no direction
     Appearance appearance;
 };
 
 /// A state with the scene of a file opened. Throws Error if it cannot be read.
 ViewerState opened(const std::filesystem::path& file);
+
+/// Lists the scenes of the menu's folder, with their titles.
+void list_scenes(SceneMenu& menu);
 
 /// The scene as the present setup has it.
 Scene present_scene(const ViewerState& state);

@@ -108,6 +108,7 @@ void Interface::lay_out(const Frame& frame) {
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                        ImGuiWindowFlags_NoNav;
     ImGui::Begin("Glassbox", nullptr, flags);
+    if (!ImGui::IsAnyItemActive()) state_.setup.end_drag();
     draw_toolbar(frame);
 
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -142,6 +143,7 @@ void Interface::lay_out(const Frame& frame) {
 
     draw_status(frame);
     ImGui::End();
+    draw_scene_menu(frame);
     draw_keys(frame);
 }
 

@@ -36,6 +36,7 @@ void draw_keys(const Frame& frame) {
         ImGui::PopStyleColor();
         row("Wheel", "zoom at the cursor");
         row("Drag", "move the picture; in space, turn the view of the scene");
+        row("Ctrl+Drag", "turn the picture's view; so does the right button");
         row("Click", "pin a pixel: all its numbers are on the right");
         row("Shift+Click", "pin a second one, to compare");
         ImGui::EndTable();

@@ -203,11 +203,26 @@ void pin(ViewerState& state, Pixel pixel, bool second) {
     state.playing = false;
 }
 
+/// Turns the view with the mouse: to the side about z, up and down about y, half a turn for the picture's width. What is
+/// seen follows the mouse, where x points at the viewer.
+void turn_by_mouse(const Canvas& canvas) {
+    ViewerState& state = canvas.frame.state;
+    ImVec2 by{};
+    for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right})
+        if (ImGui::IsMouseDragging(button)) by = ImGui::GetMouseDragDelta(button);
+    if (by.x == 0 && by.y == 0) return;
+    const double degrees = 180 / (state.view.zoom * state.scene->width);
+    Setup setup = state.setup.before_drag();
+    if (by.x != 0) setup = turned(std::move(setup), Axis::z, -std::round(by.x * degrees));
+    if (by.y != 0) setup = turned(std::move(setup), Axis::y, -std::round(by.y * degrees));
+    state.setup.drag(std::move(setup));
+}
+
 void listen_to_mouse(const Canvas& canvas) {
     ViewerState& state = canvas.frame.state;
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetCursorScreenPos(canvas.corner);
-    ImGui::InvisibleButton("area", canvas.size);
+    ImGui::InvisibleButton("area", canvas.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     ImGui::SetItemAllowOverlap();
     const bool hovered = ImGui::IsItemHovered();
     state.hovered = hovered ? pointed_at(canvas) : std::nullopt;
@@ -216,13 +231,18 @@ void listen_to_mouse(const Canvas& canvas) {
         state.view = zoomed_at(state.view, std::pow(1.25, io.MouseWheel),
                                {io.MousePos.x - canvas.corner.x, io.MousePos.y - canvas.corner.y});
     }
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    if (ImGui::IsItemActivated()) {
+        state.setup.end_drag();
+        state.turning = io.KeyCtrl || io.MouseDown[ImGuiMouseButton_Right];
+    }
+    if (ImGui::IsItemActive() && state.turning) turn_by_mouse(canvas);
+    if (ImGui::IsItemActive() && !state.turning && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         state.fit = false;
         state.view = moved(state.view, {io.MouseDelta.x, io.MouseDelta.y});
     }
     // A click is a press that did not move.
     const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
-    if (ImGui::IsItemDeactivated() && dragged.x == 0 && dragged.y == 0)
+    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged.x == 0 && dragged.y == 0)
         if (const std::optional<Pixel> pixel = pointed_at(canvas)) pin(state, *pixel, io.KeyShift);
 }
 
@@ -250,6 +270,7 @@ void draw_picture(const Frame& frame) {
     draw_split(canvas);
     draw_labels(canvas);
     canvas.list.PopClipRect();
+    draw_file_error(frame, canvas.corner, size);
 }
 
 }  // namespace glassbox

@@ -1,0 +1,51 @@
+#include "render/option_names.hpp"
+#include "viewer/ui/controls/sections.hpp"
+#include "viewer/ui/edit.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// From the smallest triangle to the largest: the number is a volume, whatever the scene's size.
+void tolerance(ViewerState& state, double now) {
+    const auto set = [&](double value) {
+        if (value >= 0 && value <= 1e300)
+            drag_setup(state, [&](Setup& setup) { setup.options.triangle_rule = Tolerance{value}; });
+    };
+    const float font = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const double least = 1e-12, most = 1e12;
+    ImGui::TextUnformatted("Tolerance, in units of length³");
+    const float number = 7 * font;
+    ImGui::SetNextItemWidth(std::max(3 * font, ImGui::GetContentRegionAvail().x - number - gap));
+    double value = now;
+    const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &least, &most, "",
+                                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    const bool again = is_double_clicked();
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("Double click: the paper's");
+    if (moved || again) set(again ? Tolerance{}.tolerance : value);
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(number);
+    value = now;
+    if (ImGui::InputDouble("##number", &value, 0, 0, "%.6g")) set(value);
+}
+
+}  // namespace
+
+void draw_computing_controls(const Frame& frame) {
+    ViewerState& state = frame.state;
+    const Options options = state.setup.now().options;
+    choice(frame, "Scalar: what the formulas run in", scalars, name_of(options.scalar),
+           [&](Scalar scalar) { change_setup(state, [&](Setup& setup) { setup.options.scalar = scalar; }); });
+    ImGui::Spacing();
+    choice(frame, "Triangle rule: when a triangle is hit", triangle_rules, name_of(options.triangle_rule),
+           [&](const TriangleRule& rule) {
+               change_setup(state, [&](Setup& setup) { setup.options.triangle_rule = rule; });
+           });
+    if (const auto* rule = std::get_if<Tolerance>(&options.triangle_rule)) tolerance(state, rule->tolerance);
+    ImGui::Spacing();
+    choice(
+        frame, "Sphere rule: how its roots are found", sphere_rules, name_of(options.sphere_rule),
+        [&](const SphereRule& rule) { change_setup(state, [&](Setup& setup) { setup.options.sphere_rule = rule; }); });
+}
+
+}  // namespace glassbox

@@ -1,0 +1,99 @@
+#include <algorithm>
+
+#include "scene/direction.hpp"
+#include "scene/shading_models.hpp"
+#include "viewer/ui/buttons.hpp"
+#include "viewer/ui/controls/sections.hpp"
+#include "viewer/ui/edit.hpp"
+
+namespace glassbox {
+
+namespace {
+
+void figure_buttons(ViewerState& state) {
+    ImGui::TextUnformatted("The paper's five figures");
+    for (const Figure& figure : figures) {
+        if (&figure != figures) flow(figure.name);
+        const Setup shown = with_figure(state.setup.now(), figure);
+        if (toggle(figure.name, shown == state.setup.now())) state.setup.change(shown);
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("k_a = %g, k_d = %g, k_s = %g, with the paper's model, exponent 15, intensity 1",
+                              figure.k_a, figure.k_d, figure.k_s);
+    }
+}
+
+/// A light that has no direction is not taken.
+void aim(ViewerState& state, const Vec3<double>& position) {
+    state.light_refused = !why_no_direction(position).empty();
+    if (!state.light_refused) drag_setup(state, [&](Setup& setup) { setup.light_position = position; });
+}
+
+void light_direction(const Frame& frame) {
+    ViewerState& state = frame.state;
+    const Vec3<double> own = state.scene->light_position, now = state.setup.now().light_position;
+    ImGui::TextUnformatted("Light, from the world's origin");
+    double xyz[] = {now.x, now.y, now.z};
+    const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - gap);
+    if (ImGui::InputScalarN("##light", ImGuiDataType_Double, xyz, 3, nullptr, nullptr, "%.6g"))
+        aim(state, {xyz[0], xyz[1], xyz[2]});
+    tip("x, y, z: only the direction counts, but for the paper's model, whose half vector takes L as it is");
+    ImGui::SameLine(0, gap);
+    if (now == own) ImGui::Dummy({button, button});
+    else if (ImGui::Button("↺##light", {button, 0}))
+        change_setup(state, [&](Setup& setup) { setup.light_position = own; });
+    if (!(now == own)) tip("as the scene says");
+    if (state.light_refused) {
+        ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.failed);
+        ImGui::TextWrapped("✗ not taken: a light needs a direction, so x, y and z cannot all be 0, nor huge");
+        ImGui::PopStyleColor();
+    }
+
+    // While one angle is dragged the other two numbers are those that the drag began with: no rounding adds up.
+    Pointing angles = pointing(now);
+    const Pointing kept = pointing(state.setup.before_drag().light_position), scenes = pointing(own);
+    const auto slider = [&](const char* label, const char* format, double& value, double least, double most,
+                            double scenes_value) {
+        ImGui::SetNextItemWidth(-1);
+        const bool moved = ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format);
+        const bool again = is_double_clicked();
+        if (again) value = scenes_value;
+        if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+            ImGui::SetTooltip("The light keeps its distance. Ctrl+click to type; double click: as the scene says");
+        value = std::clamp(value, least, most);
+        return moved || again;
+    };
+    if (slider("##azimuth", "azimuth %.1f°", angles.azimuth, -180, 180, scenes.azimuth))
+        aim(state, vector_of({angles.azimuth, kept.elevation, kept.distance}));
+    if (slider("##elevation", "elevation %.1f°", angles.elevation, -90, 90, scenes.elevation))
+        aim(state, vector_of({kept.azimuth, angles.elevation, kept.distance}));
+}
+
+}  // namespace
+
+void draw_shading_controls(const Frame& frame) {
+    ViewerState& state = frame.state;
+    const Scene& scene = *state.scene;
+    if (state.setup.now().options.stage < 4) {
+        ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.faint_text);
+        ImGui::TextWrapped("Shading is used from stage 4 on.");
+        ImGui::PopStyleColor();
+    }
+    figure_buttons(state);
+    ImGui::Spacing();
+    choice(frame, "Shading model", shading_models, name_of(state.setup.now().shading.model),
+           [&](ShadingModel model) { change_setup(state, [&](Setup& setup) { setup.shading.model = model; }); });
+    ImGui::Spacing();
+    constexpr Range factor{0, 1, "%.3f"};
+    setup_slider(state, "k_a ambient", scene.shading.k_a, factor, [](Setup& s) -> double& { return s.shading.k_a; });
+    setup_slider(state, "k_d diffuse", scene.shading.k_d, factor, [](Setup& s) -> double& { return s.shading.k_d; });
+    setup_slider(state, "k_s specular", scene.shading.k_s, factor, [](Setup& s) -> double& { return s.shading.k_s; });
+    setup_slider(state, "exponent", scene.shading.exponent, {1, 1000, "%.1f", true},
+                 [](Setup& s) -> double& { return s.shading.exponent; });
+    setup_slider(state, "intensity I", scene.light_intensity, {0, 3, "%.2f"},
+                 [](Setup& s) -> double& { return s.light_intensity; });
+    ImGui::Spacing();
+    light_direction(frame);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,98 @@
+// The command that shows a pixel again tells the same story: the built program is run with it.
+#include "viewer/model/command.hpp"
+
+#include <doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/program.hpp"
+#include "explain/explain.hpp"
+#include "scene/scene_file.hpp"
+
+using namespace glassbox;
+using namespace glassbox::test;
+
+namespace {
+
+const std::filesystem::path paper = std::filesystem::path(SCENES) / "levental-2014.toml";
+
+/// Runs the command; the words of ours hold nothing that a shell would quote.
+nlohmann::json run(const std::string& command) {
+    std::istringstream words(command);
+    std::string word;
+    words >> word;
+    REQUIRE(word == "glassbox");
+    Arguments arguments;
+    while (words >> word) arguments.push_back(word);
+    arguments.emplace_back("--json");
+    const Folder folder;
+    const Ran ran = run_glassbox(arguments, {.folder = folder.path});
+    CAPTURE(command);
+    CAPTURE(ran.err);
+    REQUIRE(ran.status == 0);
+    return nlohmann::json::parse(ran.out);
+}
+
+void check_same(const Setup& setup, Pixel pixel) {
+    const Scene scene = read_scene(paper);
+    const std::string command = explain_command(paper, scene, setup, pixel);
+    CAPTURE(command);
+    const Story story = explain(applied(scene, setup), setup.options, pixel.x, pixel.y);
+    const nlohmann::json told = run(command);
+    CHECK(told["color"] == nlohmann::json({story.color.red, story.color.green, story.color.blue}));
+    REQUIRE(told["hit"].is_null() == !story.hit);
+    if (story.hit) CHECK(told["hit"]["t"]["value"] == story.hit->t.value);
+    // JSON holds all digits: the ray is the same to the bit.
+    CHECK(told["ray"]["P"][0] == story.ray.P.x);
+    CHECK(told["ray"]["P"][1] == story.ray.P.y);
+    CHECK(told["ray"]["D"][0] == story.ray.D.x);
+}
+
+constexpr Pixel on_the_green_sphere{350, 149};
+
+}  // namespace
+
+TEST_CASE("as the scene says: no option but the pixel") {
+    const Scene scene = read_scene(paper);
+    CHECK(explain_command("s.toml", scene, setup_of(scene), {1, 2}) == "glassbox explain s.toml --pixel 1,2");
+    check_same(setup_of(scene), on_the_green_sphere);
+}
+
+TEST_CASE("each change comes back through the command line") {
+    const Setup own = setup_of(read_scene(paper));
+    Setup setup = own;
+    setup.shading = {ShadingModel::phong,         1.0 / 3, 0.7, 0.123456789, 2.5, setup.shading.ambient_color,
+                     setup.shading.specular_color};
+    check_same(setup, on_the_green_sphere);
+    setup = own;
+    setup.light_position = {-1e-3, 1.0 / 3, 1e20};
+    setup.light_intensity = 0.1;
+    check_same(setup, on_the_green_sphere);
+    setup = with_figure(own, figures[2]);
+    check_same(setup, {340, 160});
+}
+
+TEST_CASE("turns, rebuilt and accumulated, at every stage that knows them or not") {
+    Setup setup = setup_of(read_scene(paper));
+    for (int i = 0; i < 7; ++i) setup = turned(setup, Axis::z, 10);
+    setup = turned(setup, Axis::y, -12.3);
+    for (const bool accumulated : {false, true})
+        for (const int stage : {4, 5}) {
+            setup.options.accumulated = accumulated;
+            setup.options.stage = stage;
+            check_same(setup, {250, 250});
+        }
+}
+
+TEST_CASE("scalars and rules") {
+    Setup setup = setup_of(read_scene(paper));
+    setup.options.scalar = Scalar::float_;
+    setup.options.sphere_rule = Textbook{};
+    setup.options.triangle_rule = Tolerance{0.1};
+    check_same(setup, {375, 379});
+    setup.options.scalar = Scalar::exact;
+    setup.options.triangle_rule = MoellerTrumbore{};
+    setup.options.stage = 3;
+    check_same(setup, {375, 379});
+}

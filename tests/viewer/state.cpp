@@ -1,0 +1,167 @@
+// What is chosen: setups, scenes that are opened and read again.
+#include "viewer/model/state.hpp"
+
+#include <doctest.h>
+
+#include <fstream>
+
+#include "output/folder.hpp"
+#include "render/render.hpp"
+
+using namespace glassbox;
+using test::Folder;
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+const std::string small = "title = 'small'\n[image]\nwidth = 20\nheight = 10\n";
+
+}  // namespace
+
+TEST_CASE("reading a file again keeps pins and changes, and the rest follows the file") {
+    const Folder folder;
+    const auto file = folder / "s.toml";
+    write(file, small + "[shading]\nambient = 0.1\ndiffuse = 0.2\n");
+    ViewerState state = opened(file);
+    state.pinned = Pixel{3, 4};
+    state.compared = Pixel{19, 9};
+    Setup setup = state.setup.now();
+    setup.shading.k_a = 0.9;
+    state.setup.change(turned(setup, Axis::z, 10));
+    setup.shading.k_a = 0.8;
+    state.setup.change(setup);
+    state.setup.undo();
+
+    write(file, "[image]\nwidth = 19\nheight = 10\n[shading]\nambient = 0.3\ndiffuse = 0.4\n[light]\nintensity = 2\n");
+    reload(state);
+    CHECK(state.file_error == "");
+    CHECK(state.scene->width == 19);
+    CHECK(state.pinned == Pixel{3, 4});
+    CHECK_FALSE(state.compared);  // column 19 is gone
+    CHECK(state.setup.now().shading.k_a == 0.9);
+    CHECK(state.setup.now().shading.k_d == 0.4);
+    CHECK(state.setup.now().light_intensity == 2);
+    CHECK(state.setup.now().options.turns == std::vector<Turn<double>>{{Axis::z, 10}});
+    // Undo and redo are still there, and know the new file.
+    state.setup.redo();
+    CHECK(state.setup.now().shading.k_a == 0.8);
+    CHECK(state.setup.now().shading.k_d == 0.4);
+    state.setup.undo();
+    state.setup.undo();
+    CHECK(state.setup.now() == setup_of(*state.scene));
+}
+
+TEST_CASE("an error in the file keeps the last good scene, until it is good again") {
+    const Folder folder;
+    const auto file = folder / "s.toml";
+    write(file, small);
+    ViewerState state = opened(file);
+    state.pinned = Pixel{1, 1};
+    const auto good = state.scene;
+    write(file, "[image]\nwidth = -1\n");
+    reload(state);
+    // The number stands in line 2, from column 9 on.
+    CHECK(state.file_error.find("s.toml:2:9: error: ") != std::string::npos);
+    CHECK(state.scene == good);
+    CHECK(state.pinned == Pixel{1, 1});
+    std::filesystem::remove(file);
+    reload(state);
+    CHECK(state.file_error.find("s.toml") != std::string::npos);
+    CHECK(state.scene == good);
+    write(file, small);
+    reload(state);
+    CHECK(state.file_error == "");
+    CHECK(state.scene != good);
+}
+
+TEST_CASE(
+    "opening another scene forgets pins and changes, and keeps how things look; one that is bad changes nothing") {
+    const Folder folder;
+    write(folder / "a.toml", small);
+    write(folder / "b.toml", "title = 'other'\n");
+    ViewerState state = opened(folder / "a.toml");
+    state.pinned = Pixel{1, 1};
+    state.appearance.dark = false;
+    state.page = Page::controls;
+    state.scene_menu.folder = folder.path;
+    state.setup.change(turned(state.setup.now(), Axis::y, 5));
+    open(state, folder / "none.toml");
+    CHECK(state.file_error.find("none.toml") != std::string::npos);
+    CHECK(state.file == folder / "a.toml");
+    CHECK(state.pinned == Pixel{1, 1});
+    CHECK(state.setup.can_undo());
+    open(state, folder / "b.toml");
+    CHECK(state.file_error == "");
+    CHECK(state.scene->title == "other");
+    CHECK_FALSE(state.pinned);
+    CHECK_FALSE(state.setup.can_undo());
+    CHECK_FALSE(state.appearance.dark);
+    CHECK(state.page == Page::controls);
+    CHECK(state.scene_menu.folder == folder.path);
+}
+
+TEST_CASE("the list of scenes: by name, with their titles, a broken one without") {
+    const Folder folder;
+    write(folder / "b.toml", small);
+    write(folder / "a.toml", "title = 1\n");
+    write(folder / "mesh.obj", "");
+    SceneMenu menu;
+    list_scenes(menu);
+    CHECK(menu.scenes.empty());  // no folder
+    menu.folder = folder.path;
+    list_scenes(menu);
+    REQUIRE(menu.scenes.size() == 2);
+    CHECK(menu.scenes[0].file == folder / "a.toml");
+    CHECK(menu.scenes[0].title == "");
+    CHECK(menu.scenes[1].title == "small");
+}
+
+TEST_CASE("undo keeps what is pinned") {
+    const Folder folder;
+    write(folder / "s.toml", small);
+    ViewerState state = opened(folder / "s.toml");
+    state.setup.change(turned(state.setup.now(), Axis::z, 10));
+    state.pinned = Pixel{2, 2};
+    state.overlay.measurement = "depth";
+    state.setup.undo();
+    CHECK(state.setup.now().options.turns.empty());
+    CHECK(state.pinned == Pixel{2, 2});
+    CHECK(state.overlay.measurement == "depth");
+}
+
+TEST_CASE("the paper's figures: its coefficients and model, whatever was changed before") {
+    Setup setup;
+    setup.shading.exponent = 3;
+    setup.light_intensity = 0.5;
+    setup.options.stage = 2;
+    const Setup diffuse = with_figure(setup, figures[1]);
+    // Design and paper: (0, 1, 0), exponent 15, a warm pink and white, intensity 1; shading begins with stage 4.
+    const Shading<double> expected{ShadingModel::levental_2014, 0, 1, 0, 15, {255, 102, 102}, {255, 255, 255}};
+    CHECK(diffuse.shading == expected);
+    CHECK(diffuse.light_intensity == 1);
+    CHECK(diffuse.options.stage == 4);
+    CHECK(with_figure(diffuse, figures[1]) == diffuse);
+    setup.options.stage = 5;
+    CHECK(with_figure(setup, figures[1]).options.stage == 5);
+}
+
+TEST_CASE("turns in words") {
+    CHECK(turns_in_words({}) == "none");
+    std::vector<Turn<double>> turns(36, {Axis::z, 10});
+    CHECK(turns_in_words(turns) == "z 10° × 36");
+    turns.assign({{Axis::z, 10}, {Axis::y, -20.5}, {Axis::z, 10}});
+    CHECK(turns_in_words(turns) == "z 10°, y −20.5°, z 10°");
+}
+
+TEST_CASE("where a vector points") {
+    // (3, 3, 3√2): azimuth 45°, as high as it is long on the ground, length √(9 + 9 + 18) = 6.
+    const Pointing p = pointing({3, 3, 3 * std::sqrt(2.0)});
+    CHECK(p.azimuth == doctest::Approx(45));
+    CHECK(p.elevation == doctest::Approx(45));
+    CHECK(p.distance == doctest::Approx(6));
+    const Vec3<double> back = vector_of(p);
+    CHECK(back.x == doctest::Approx(3));
+    CHECK(back.z == doctest::Approx(3 * std::sqrt(2.0)));
+    CHECK(vector_of({90, 0, 2}) == Vec3<double>{0, 2, 0});  // quarter turns are exact
+}
