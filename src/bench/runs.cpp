@@ -26,11 +26,14 @@ Spread spread(std::vector<double> numbers) {
     return {numbers.front(), numbers[numbers.size() / 2], numbers.back()};
 }
 
-Speeds time_in_turn(const std::vector<Work>& works, int runs) {
+Speeds time_in_turn(const std::vector<Work>& works, int runs, std::atomic<std::int64_t>* done) {
     for (const Work& work : works) work.run();  // the first time fills caches and starts threads
     Speeds speeds(works.size());
     for (int run = 0; run < runs; ++run)
-        for (std::size_t w = 0; w < works.size(); ++w) speeds[w].push_back(million_rays_a_second(works[w]));
+        for (std::size_t w = 0; w < works.size(); ++w) {
+            speeds[w].push_back(million_rays_a_second(works[w]));
+            if (done) ++*done;
+        }
     return speeds;
 }
 

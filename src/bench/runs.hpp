@@ -1,4 +1,6 @@
 #pragma once
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,8 +26,9 @@ struct Work {
 using Speeds = std::vector<std::vector<double>>;
 
 /// Times all works in turn, `runs` times over: what slows the machine down for a while slows them all. Each is repeated
-/// within a run until at least a tenth of a second has passed.
-Speeds time_in_turn(const std::vector<Work>& works, int runs);
+/// within a run until at least a tenth of a second has passed. `done` counts the timings made, works × runs in all, if
+/// anyone watches.
+Speeds time_in_turn(const std::vector<Work>& works, int runs, std::atomic<std::int64_t>* done = nullptr);
 
 /// How many times as fast the one was as the other, run by run.
 Spread ratio(const std::vector<double>& one, const std::vector<double>& other);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <baseline.hpp>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include "bench/bare_numbers.hpp"
 #include "bench/runs.hpp"
 #include "cli/commands.hpp"
+#include "cli/progress.hpp"
 #include "cli/scene_path.hpp"
 #include "cli/typed.hpp"
 #include "render/render.hpp"
@@ -67,14 +69,24 @@ Work rendering(const Scene& scene, Scalar scalar, const std::string& name, const
     return {name, 1.0 * scene.width * scene.height, [&scene, options, job] { render(scene, options, job); }};
 }
 
+Speeds timed(const std::vector<Work>& works, int runs) {
+    Progress progress("timing", static_cast<std::int64_t>(works.size()) * runs);
+    return time_in_turn(works, runs, &progress.done());
+}
+
+Work counting(const Scene& scene, const std::string& name, const Job& job) {
+    const std::array<const Measurement*, 2> counts{find_measurement("tests"), find_measurement("hits")};
+    return {name, 1.0 * scene.width * scene.height, [&scene, counts, job] { measure(scene, {}, counts, job); }};
+}
+
 void bench_probes(const Scene& scene, int runs) {
     const Numbers numbers(scene);
     const double rays = 1.0 * scene.width * scene.height;
     double sum = 0;  // keeps the compiler from leaving the work out
     const Speeds speeds =
-        time_in_turn({{"nearest hit, without probes", rays, [&] { sum += sum_of_t_without_probe(numbers.bare()); }},
-                      {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }}},
-                     runs);
+        timed({{"nearest hit, without probes", rays, [&] { sum += sum_of_t_without_probe(numbers.bare()); }},
+               {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }}},
+              runs);
     print("nearest hit, without probes", speeds[0]);
     print("nearest hit, silent probe", speeds[1], times(speeds[1], speeds[0], "without probes"));
     if (sum < 0) fmt::print("{}\n", sum);
@@ -89,15 +101,17 @@ void bench_scene(const std::string& name, const Scene& scene, int runs, const st
         rendering(scene, Scalar::double_, "picture in double, 1 thread", {1, stop, nullptr}),
         rendering(scene, Scalar::double_, "picture in double, all threads", {0, stop, nullptr}),
         rendering(scene, Scalar::certified, "picture certified, 1 thread", {1, stop, nullptr}),
+        counting(scene, "tests and hits counted, 1 thread", {1, stop, nullptr}),
     };
     if (papers)
         works.push_back({"the paper's program, 1 thread", 1.0 * scene.width * scene.height,
                          [&scene] { render_as_published(scene.width, scene.height, .2, 1, .2); }});
-    const Speeds speeds = time_in_turn(works, runs);
-    if (papers) print(works[3].name, speeds[3]);
-    print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[3], "the paper's program") : "");
+    const Speeds speeds = timed(works, runs);
+    if (papers) print(works[4].name, speeds[4]);
+    print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[4], "the paper's program") : "");
     print(works[1].name, speeds[1], times(speeds[1], speeds[0], "one thread"));
     print(works[2].name, speeds[2], "takes " + times(speeds[0], speeds[2], "as long as double"));
+    print(works[3].name, speeds[3], "takes " + times(speeds[2], speeds[3], "as long as the picture, certified"));
     bench_probes(scene, runs);
 }
 

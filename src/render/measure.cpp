@@ -30,34 +30,60 @@ std::vector<Plane> empty_planes(const Measurement& measurement, int width, int h
     return planes;
 }
 
-}  // namespace
+PixelNumbers& numbers_of(PixelNumbers& probe) { return probe; }
+PixelNumbers& numbers_of(WithTriangles& probe) { return probe.numbers; }
 
-std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
-                                        std::span<const Measurement* const> wanted, const Job& job) {
+/// How far apart two views let the rays of a pixel start.
+double drift(const View& one, const View& other, int x, int y, int height) {
+    return length(pixel_ray(one, x, y, height).P - pixel_ray(other, x, y, height).P);
+}
+
+/// What all of them need together.
+Needs needs_of(std::span<const Measurement* const> wanted) {
+    Needs needs;
+    for (const Measurement* measurement : wanted) {
+        needs.truth |= measurement->needs.truth;
+        needs.triangles |= measurement->needs.triangles;
+        needs.drift |= measurement->needs.drift;
+    }
+    return needs;
+}
+
+/// Measures with the probe that is just enough.
+template <class Probe>
+std::vector<std::vector<Plane>> measured_by(const Scene& scene, const Options& options,
+                                            std::span<const Measurement* const> wanted, const Job& job) {
+    const Needs needs = needs_of(wanted);
     const View rebuilt = rebuilt_view(scene, turns_of(options));
     const View accumulated = accumulated_view(scene, turns_of(options));
     std::optional<Judge> judge;
-    if (std::any_of(wanted.begin(), wanted.end(), [](const Measurement* m) { return m->needs_truth; }))
-        judge.emplace(scene, options.stage, reach(view(scene, options), scene.width, scene.height));
+    if (needs.truth) judge.emplace(scene, options.stage, reach(view(scene, options), scene.width, scene.height));
 
     std::vector<std::vector<Plane>> result;
     for (const Measurement* measurement : wanted)
         result.push_back(empty_planes(*measurement, scene.width, scene.height));
 
-    trace_pixels<PixelNumbers>(
-        scene, options, job, [&](int x, int y, const Ray<double>& ray, Rgb, PixelNumbers& numbers) {
-            numbers.drift =
-                length(pixel_ray(rebuilt, x, y, scene.height).P - pixel_ray(accumulated, x, y, scene.height).P);
-            if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
-            if (judge) with_number(options.scalar, [&]<class Real>(Real) { judge->judge<Real>(ray, numbers); });
-            const std::size_t pixel =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
-            for (std::size_t m = 0; m < wanted.size(); ++m) {
-                const std::array<double, 3> values = wanted[m]->read(numbers);
-                for (std::size_t p = 0; p < result[m].size(); ++p) result[m][p].values[pixel] = values[p];
-            }
-        });
+    trace_pixels<Probe>(scene, options, job, [&](int x, int y, const Ray<double>& ray, Rgb, Probe& probe) {
+        PixelNumbers& numbers = numbers_of(probe);
+        if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
+        if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
+        if (judge) with_number(options.scalar, [&]<class Real>(Real) { judge->judge<Real>(ray, numbers); });
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
+        for (std::size_t m = 0; m < wanted.size(); ++m) {
+            const std::array<double, 3> values = wanted[m]->read(numbers);
+            for (std::size_t p = 0; p < result[m].size(); ++p) result[m][p].values[pixel] = values[p];
+        }
+    });
     return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
+                                        std::span<const Measurement* const> wanted, const Job& job) {
+    return needs_of(wanted).triangles ? measured_by<WithTriangles>(scene, options, wanted, job)
+                                      : measured_by<PixelNumbers>(scene, options, wanted, job);
 }
 
 }  // namespace glassbox

@@ -34,7 +34,7 @@ std::array<double, 3> read(const P& numbers) {
 
 constexpr Measurement number(std::string_view name, std::string_view unit, std::string_view explanation, Scale scale,
                              std::array<double, 3> (*its_read)(const P&)) {
-    return {name, unit, explanation, scale, {}, plane_of(name), its_read, false, {}};
+    return {name, unit, explanation, scale, {}, plane_of(name), its_read, {}, {}};
 }
 
 constexpr Measurement between(double low, double high, Measurement measurement) {
@@ -43,7 +43,17 @@ constexpr Measurement between(double low, double high, Measurement measurement) 
 }
 
 constexpr Measurement with_truth(Measurement measurement) {
-    measurement.needs_truth = true;
+    measurement.needs.truth = true;
+    return measurement;
+}
+
+constexpr Measurement with_triangles(Measurement measurement) {
+    measurement.needs.triangles = true;
+    return measurement;
+}
+
+constexpr Measurement with_drift(Measurement measurement) {
+    measurement.needs.drift = true;
     return measurement;
 }
 
@@ -65,7 +75,7 @@ constexpr Measurement all[] = {
                 std::pair{-1.0, 1.0},
                 normal_names,
                 [](const P& numbers) { return numbers.normal; },
-                false,
+                {},
                 {}},
     between(-1, 1,
             number("n.l", "", "n·l, the cosine of the angle between normal and light", diverging, read<&P::n_l>)),
@@ -79,24 +89,26 @@ constexpr Measurement all[] = {
     number("discriminant", "length² |D|²",
            "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed", diverging,
            read<&P::discriminant>),
-    number("side", "", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line", diverging,
-           read<&T::side>),
-    number("margin", "log10", "the deciding side product over its error bound: below 0 it decides nothing", diverging,
-           read<&T::margin>),
+    with_triangles(number("side", "", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line",
+                          diverging, read<&T::side>)),
+    with_triangles(number("margin", "log10",
+                          "the deciding side product over its error bound: below 0 it decides nothing", diverging,
+                          read<&T::margin>)),
     number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", sequential,
            read<&P::undecided>),
     between(0, 3,
             with_truth(number("verdict", "", "0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface", sequential,
                               read<&P::verdict>))),
-    with_contour(1, number("deficit", "log10",
-                           "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
-                           sequential, read<&T::deficit>)),
+    with_contour(
+        1, with_triangles(number("deficit", "log10",
+                                 "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
+                                 sequential, read<&T::deficit>))),
     with_truth(number("bits-lost", "bits", "how many of the last bits of t are not the true ones: log2(ulps + 1)",
                       sequential, read<&P::bits_lost>)),
-    number("identity", "u P", "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding", sequential,
-           read<&T::identity>),
-    number("drift", "length", "how far the ray's start drifts when turns are added up step by step", sequential,
-           read<&P::drift>),
+    with_triangles(number("identity", "u P", "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding",
+                          sequential, read<&T::identity>)),
+    with_drift(number("drift", "length", "how far the ray's start drifts when turns are added up step by step",
+                      sequential, read<&P::drift>)),
 };
 
 }  // namespace

@@ -16,6 +16,13 @@ enum class Scale {
     direction,   ///< three components from -1 to 1, shown as red, green, blue
 };
 
+/// What it takes to measure something, beyond listening to what is traced anyway.
+struct Needs {
+    bool truth = false;      ///< what a certified search finds, to compare with
+    bool triangles = false;  ///< what the side products of every triangle tested say about themselves
+    bool drift = false;      ///< the view turned in another way, to compare with
+};
+
 /// One thing that `glassbox measure` can measure.
 struct Measurement {
     std::string_view name;         ///< as typed: "depth"
@@ -25,8 +32,8 @@ struct Measurement {
     std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; otherwise that of its values
     std::span<const std::string_view> planes;            ///< the names of its components: itself, or x, y and z
     std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has planes
-    bool needs_truth = false;                            ///< compared with what a certified search finds
-    std::optional<double> contour = {};                  ///< a value whose border is drawn as a line
+    Needs needs = {};
+    std::optional<double> contour = {};  ///< a value whose border is drawn as a line
 };
 
 /// All measurements, in the order in which they are listed.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include <shading.hpp>
 
@@ -12,8 +13,9 @@
 
 namespace glassbox {
 
-/// The probe behind `measure`: keeps the numbers of one pixel as the formulas tell them; `no_value` for those that
-/// were not reached.
+/// The counting probe behind `measure`: keeps the numbers of one pixel as the formulas tell them; `no_value` for those
+/// that were not reached. What side products say about themselves costs several times the tests themselves: that is
+/// WithTriangles' part.
 struct PixelNumbers {
     double tests = 0;     ///< surfaces tested
     double hits = 0;      ///< surfaces met
@@ -86,15 +88,22 @@ struct PixelNumbers {
 
     template <class Real>
     void operator()(told::Discriminant, const Real& value) {
-        discriminant = std::fmax(discriminant, static_cast<double>(value));  // fmax passes over not a number
-    }
-
-    template <class Real>
-    void operator()(told::Corners, const Triangle<Real>& seen, const Vec3<Real>& D) {
-        triangles.take(seen, D);
+        const double now = static_cast<double>(value);
+        if (now > discriminant || discriminant != discriminant) discriminant = now;  // passes over not a number
     }
 
     void operator()(told::Undecided, std::size_t) { ++exact_tests; }
+};
+
+/// The same probe with its `triangles` filled in.
+struct WithTriangles {
+    PixelNumbers numbers;
+
+    template <class What, class... Values>
+    void operator()(What what, const Values&... values) {
+        if constexpr (std::is_same_v<What, told::Corners>) numbers.triangles.take(values...);
+        else numbers(what, values...);
+    }
 };
 
 }  // namespace glassbox
