@@ -18,6 +18,7 @@
 #include "viewer/model/camera.hpp"
 #include "viewer/model/keys.hpp"
 #include "viewer/model/timeline.hpp"
+#include "viewer/model/watching.hpp"
 
 namespace glassbox {
 
@@ -72,8 +73,13 @@ constexpr NameTable<StepTo, 6> step_targets{{
     {"cancellation", StepTo::next_cancellation, ""},
 }};
 constexpr NameTable<bool, 2> themes{{{"dark", true, ""}, {"light", false, ""}}};
-constexpr NameTable<bool, 2> count_axes{{{"log", true, ""}, {"linear", false, ""}}};
 constexpr NameTable<bool, 2> ways_to_turn{{{"accumulated", true, ""}, {"rebuilt", false, ""}}};
+constexpr NameTable<bool, 2> count_axes{{{"log", true, ""}, {"linear", false, ""}}};
+constexpr NameTable<NumberForm, 3> number_forms{{
+    {"short", NumberForm::brief, ""},
+    {"full", NumberForm::full, ""},
+    {"hex", NumberForm::hex, ""},
+}};
 constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
 /// What `set NAME VALUE` can set.
@@ -142,6 +148,10 @@ constexpr Settable settables[] = {
      [](Name name, Name typed) {
          const auto size = static_cast<float>(number(name, typed, least_text_size, greatest_text_size));
          return change([size](ViewerState& s) { s.appearance.text_size = size; });
+     }},
+    {"numbers",
+     [](Name name, Name typed) {
+         return change([form = chosen(name, typed, number_forms)](ViewerState& s) { s.number_form = form; });
      }},
     {"space",
      [](Name name, Name typed) {
@@ -218,7 +228,7 @@ ScriptStep step(const Words& words) {
     return change([to, at](ViewerState& state, const Results& results) {
         state.page = Page::steps;
         if (!results.story) return;
-        const std::vector<Event> events = timeline(*results.story);
+        const std::vector<Event>& events = results.timeline;
         state.step = to ? stepped(events, state.step, *to) : std::min(at, events.empty() ? 0 : events.size() - 1);
     });
 }
@@ -285,6 +295,14 @@ const Command commands[] = {
          return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
      }},
     {"step", "step N | first | back | forward | last | failed | cancellation", 1, 1, step},
+    {"watch", "watch PIXELS", 1, 1,
+     [](const Words& w) {
+         return change([shown = whole_number("watch", w[1], 0, max_side * max_side)](ViewerState& state) {
+             state.watching.on = true;
+             state.watching.running = false;
+             state.watching.shown = std::min<double>(shown, pixels(state));
+         });
+     }},
     {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
     {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
     {"key", "key LABEL", 1, 1, key},

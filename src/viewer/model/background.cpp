@@ -93,14 +93,18 @@ void Background::update(const ViewerState& state, Results& results) {
     };
     ask_for_story(story_, at(state.pinned));
     ask_for_story(compared_, at(state.compared));
-    if (!state.pinned) results.story = nullptr;
+    if (!state.pinned) {
+        results.story = nullptr;
+        results.timeline.clear();
+    }
     if (!state.compared) results.compared = nullptr;
 
     const auto take = [](auto& worker, auto& into, std::uint64_t& serial) {
         auto result = worker.latest.take();
-        if (!result) return;
+        if (!result) return false;
         into = std::move(*result);
         ++serial;
+        return true;
     };
     // Read before anything is taken: what ends in between counts as still busy, and is there at the next update.
     results.busy = picture_.latest.busy() || other_.latest.busy() || overlay_.latest.busy() || story_.latest.busy() ||
@@ -108,7 +112,7 @@ void Background::update(const ViewerState& state, Results& results) {
     take(picture_, results.picture, results.picture_serial);
     take(other_, results.other, results.other_serial);
     take(overlay_, results.overlay, results.overlay_serial);
-    take(story_, results.story, results.story_serial);
+    if (take(story_, results.story, results.story_serial)) results.timeline = timeline(*results.story);
     take(compared_, results.compared, results.story_serial);
 
     const double pixels = 1.0 * state.scene->width * state.scene->height;

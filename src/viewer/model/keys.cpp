@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viewer/model/timeline.hpp"
+#include "viewer/model/playing.hpp"
 
 namespace glassbox {
 
@@ -56,13 +56,13 @@ void step(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
     state.playing = false;
     state.page = Page::steps;
-    state.step = stepped(timeline(*results.story), state.step, to);
+    state.step = stepped(results.timeline, state.step, to);
 }
 
 void play(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
     state.page = Page::steps;
-    state.playing = !state.playing;
+    play_or_pause(state, results);
 }
 
 void change_text_size(State& state, float by) {

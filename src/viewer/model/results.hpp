@@ -8,6 +8,7 @@
 #include "render/image.hpp"
 #include "render/measurements.hpp"
 #include "render/plane.hpp"
+#include "viewer/model/timeline.hpp"
 
 namespace glassbox {
 
@@ -30,6 +31,7 @@ struct Results {
     Picture picture, other;
     std::shared_ptr<const MeasuredPlanes> overlay;  ///< null: none
     std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none
+    std::vector<Event> timeline;                    ///< of that story; empty without one
     std::shared_ptr<const Story> compared;          ///< of the second pinned pixel; null: none
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
 

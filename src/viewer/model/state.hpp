@@ -7,6 +7,7 @@
 
 #include "scene/scene.hpp"
 #include "viewer/model/history.hpp"
+#include "viewer/model/number_form.hpp"
 #include "viewer/model/picture_view.hpp"
 #include "viewer/model/setup.hpp"
 
@@ -72,8 +73,9 @@ struct Orbit {
 
 /// "Watch it trace": how many pixels of the picture have been shown, in the order of the paper's loops.
 struct Watching {
-    bool running = false;
-    double shown = 0;  ///< pixels
+    bool on = false;       ///< otherwise the whole picture is shown
+    bool running = false;  ///< otherwise it pauses
+    double shown = 0;      ///< pixels
     double pixels_per_second = 20000;
 };
 
@@ -98,6 +100,8 @@ struct ViewerState {
 
     std::size_t step = 0;  ///< on the timeline of the pinned pixel
     bool playing = false;
+    double steps_per_second = 4;  ///< while it plays
+    double since_step = 0;        ///< how much of the way to the next step is over
     Watching watching;
 
     Page page = Page::inspector;
@@ -106,6 +110,7 @@ struct ViewerState {
     bool space_shown = true;
     float space_height = 0.35f;  ///< a part of the window's
     Orbit orbit;
+    NumberForm number_form = NumberForm::brief;  ///< of the inspector
     bool keys_shown = false;
     SceneMenu scene_menu;
     bool turning = false;        ///< the mouse, dragged over the picture, turns the view

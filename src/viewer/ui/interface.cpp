@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "viewer/model/keys.hpp"
-#include "viewer/model/timeline.hpp"
+#include "viewer/model/playing.hpp"
+#include "viewer/model/watching.hpp"
 
 namespace glassbox {
 
@@ -16,12 +17,8 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 
 /// Moves what moves by itself: the steps that are played, the picture that is watched.
 void advance(ViewerState& state, const Results& results, double seconds) {
-    if (state.watching.running) {
-        const double all = 1.0 * state.scene->width * state.scene->height;
-        state.watching.shown = std::min(all, state.watching.shown + seconds * state.watching.pixels_per_second);
-        if (state.watching.shown >= all) state.watching.running = false;
-    }
-    if (state.playing && !results.story) state.playing = false;
+    go_on_watching(state, seconds);
+    go_on_playing(state, results, seconds);
 }
 
 /// A bar between two parts that can be dragged; returns how far it was dragged, in pixels.

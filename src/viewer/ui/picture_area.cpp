@@ -6,6 +6,7 @@
 #include "output/legend_number.hpp"
 #include "viewer/ui/overlay/beside.hpp"
 #include "viewer/ui/panels.hpp"
+#include "viewer/ui/steps/watch.hpp"
 
 namespace glassbox {
 
@@ -136,7 +137,7 @@ void draw_pin(const Canvas& canvas, Pixel pixel, ImU32 color, const char* name) 
     canvas.list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, 2);
     const ImVec2 size = ImGui::CalcTextSize(name);
     const ImVec2 label{to.x + 5, from.y - size.y};
-    canvas.list.AddRectFilled({label.x - 2, label.y}, {label.x + size.x + 2, label.y + size.y}, IM_COL32(0, 0, 0, 190));
+    canvas.list.AddRectFilled({label.x - 2, label.y}, {label.x + size.x + 2, label.y + size.y}, canvas.frame.palette.canvas);
     canvas.list.AddText(label, color, name);
 }
 
@@ -265,6 +266,7 @@ void draw_picture(const Frame& frame) {
     draw_layers(canvas);
     draw_grid(canvas);
     draw_numbers(canvas);
+    draw_watched_place(frame, canvas.list, canvas.corner);
     if (state.compared) draw_pin(canvas, *state.compared, frame.palette.second, "2");
     if (state.pinned) draw_pin(canvas, *state.pinned, frame.palette.accent, "1");
     draw_split(canvas);

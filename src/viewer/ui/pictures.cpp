@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/coloring.hpp"
+#include "viewer/model/watching.hpp"
 
 namespace glassbox {
 
@@ -23,13 +24,21 @@ void fill(Texture& texture, const Image& image) { texture.fill(image.width, imag
 /// The rest is blank.
 std::vector<Rgba> watched(const Image& image, std::size_t shown) {
     std::vector<Rgba> pixels(image.pixels.size(), Rgba{0, 0, 0, 0});
-    const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
+    const auto width = static_cast<std::size_t>(image.width);
     for (std::size_t k = 0; k < std::min(shown, pixels.size()); ++k) {
-        const std::size_t pixel = (height - 1 - k % height) * width + k / height;
+        const auto [column, row] = loop_place(k, image.height);
+        const std::size_t pixel = static_cast<std::size_t>(image.height - 1 - row) * width +
+                                  static_cast<std::size_t>(column);
         const Rgb c = image.pixels[pixel];
         pixels[pixel] = {c.red, c.green, c.blue, 255};
     }
     return pixels;
+}
+
+/// So many of the scene's pixels, in pixels of an image of it that may be a coarse one.
+std::size_t on_image(std::size_t shown, const Image& image, const ViewerState& state) {
+    return static_cast<std::size_t>(static_cast<double>(shown) * static_cast<double>(image.pixels.size()) /
+                                    pixels(state));
 }
 
 }  // namespace
@@ -37,11 +46,11 @@ std::vector<Rgba> watched(const Image& image, std::size_t shown) {
 void Pictures::update(const ViewerState& state, const Results& results) {
     const auto renewed = [](std::uint64_t& have, std::uint64_t now) { return std::exchange(have, now) != now; };
 
-    const auto shown = state.watching.running ? static_cast<std::size_t>(state.watching.shown) : 0;
+    const auto shown = state.watching.on ? std::optional(static_cast<std::size_t>(state.watching.shown)) : std::nullopt;
     const bool other_watched = std::exchange(watched_, shown) != shown;
     if ((renewed(picture_serial_, results.picture_serial) || other_watched) && results.picture.image) {
         const Image& image = *results.picture.image;
-        if (state.watching.running) picture_.fill(image.width, image.height, watched(image, shown));
+        if (shown) picture_.fill(image.width, image.height, watched(image, on_image(*shown, image, state)));
         else fill(picture_, image);
     }
 

@@ -38,7 +38,7 @@ private:
     std::vector<Distribution> distributions_;
     std::optional<Differing> differing_;
     SetRange overlay_range_;
-    std::size_t watched_ = 0;
+    std::optional<std::size_t> watched_;  ///< pixels, while the tracing is watched
 };
 
 }  // namespace glassbox

@@ -1,0 +1,33 @@
+#pragma once
+#include "viewer/model/timeline.hpp"
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+// The parts of the steps' page. Those with a frame alone need a timeline that is not empty, and state.step on it.
+
+void draw_transport(const Frame& frame);                                 ///< buttons, slider and speed
+void draw_event_list(const Frame& frame, float height);                  ///< the events around the current one
+void draw_values(const Frame& frame, const Event& event);                ///< its numbers
+void draw_lesson(const Frame& frame, const Event& event, float height);  ///< the formula, as the core says it
+float lesson_height(const Frame& frame, const Event& event);             ///< of all of it
+void draw_source(const Frame& frame, const Event& event, float height);  ///< the core's source, its line marked
+
+/// "Watch it trace", which needs no pinned pixel.
+void draw_watch(const Frame& frame);
+float watch_height(const Frame& frame);
+
+/// The sign of an event, and its colour: ✓ a test that passed, ✗ one that failed, ⚠ a cancellation; else "".
+struct Sign {
+    const char* text;
+    ImU32 color;
+};
+Sign sign_of(const Frame& frame, const Event& event);
+
+/// The text, or as much of it as fits, with "…" at its end.
+std::string fitting(const std::string& text, float width);
+
+/// What is drawn next stands on the same line, if there is room for something so wide.
+void same_line_if_fits(float width);
+
+}  // namespace glassbox

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "viewer/ui/steps/parts.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// A row of the list: an event, or the heading over it.
+struct Row {
+    std::size_t event;
+    bool heading;
+};
+
+std::vector<Row> rows_of(std::span<const Event> events) {
+    std::vector<Row> rows;
+    rows.reserve(events.size() + 32);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (i == 0 || events[i].group != events[i - 1].group) rows.push_back({i, true});
+        rows.push_back({i, false});
+    }
+    return rows;
+}
+
+void draw_event(const Frame& frame, std::size_t number) {
+    const Event& event = frame.results.timeline[number];
+    const float em = ImGui::GetFontSize(), left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+    const bool current = number == frame.state.step;
+    if (ImGui::Selectable("##event", current)) {
+        frame.state.step = number;
+        frame.state.playing = false;
+    }
+    const Sign sign = sign_of(frame, event);
+    ImGui::SameLine(left + .2f * em);
+    ImGui::PushStyleColor(ImGuiCol_Text, sign.color);
+    ImGui::TextUnformatted(sign.text);
+    ImGui::PopStyleColor();
+    const float first = left + 1.4f * em;
+    const bool both = event.place && !event.formula.empty() && width > 22 * em;  // else the formula stands below only
+    const float middle = both ? left + .48f * width : left + width;
+    ImGui::SameLine(first);
+    ImGui::TextUnformatted(fitting(event.what, middle - first - .4f * em).c_str());
+    if (!both) return;
+    ImGui::SameLine(middle);
+    ImGui::PushStyleColor(ImGuiCol_Text, current ? frame.palette.text : frame.palette.faint_text);
+    ImGui::TextUnformatted(fitting(event.formula, left + width - middle).c_str());
+    ImGui::PopStyleColor();
+}
+
+/// The current event is brought to the middle when it has become another one.
+void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("shown");
+    const auto step = static_cast<int>(frame.state.step);
+    const auto serial = static_cast<int>(frame.results.story_serial);
+    const ImGuiID story_id = ImGui::GetID("story");
+    if (storage->GetInt(id, -1) == step && storage->GetInt(story_id, -1) == serial) return;
+    storage->SetInt(id, step);
+    storage->SetInt(story_id, serial);
+    const auto at = std::find_if(rows.begin(), rows.end(),
+                                 [&](const Row& row) { return !row.heading && row.event == frame.state.step; });
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetScrollY(std::max(0.f, (static_cast<float>(at - rows.begin()) + .5f) * line - height / 2));
+}
+
+}  // namespace
+
+Sign sign_of(const Frame& frame, const Event& event) {
+    if (event.holds) return *event.holds ? Sign{"✓", frame.palette.passed} : Sign{"✗", frame.palette.failed};
+    if (event.cancellation) return {"⚠", frame.palette.warning};
+    return {"", frame.palette.text};
+}
+
+std::string fitting(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const char* rest = nullptr;
+    const float dots = ImGui::CalcTextSize("…").x;
+    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(width - dots, 1.f), 0, text.c_str(), nullptr, &rest);
+    return std::string(text.c_str(), rest) + "…";
+}
+
+void draw_event_list(const Frame& frame, float height) {
+    const std::vector<Row> rows = rows_of(frame.results.timeline);
+    ImGui::BeginChild("events", {0, height}, true);
+    follow(frame, rows, ImGui::GetWindowHeight());
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()), ImGui::GetTextLineHeightWithSpacing());
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const Row& row = rows[static_cast<std::size_t>(i)];
+            ImGui::PushID(i);
+            if (row.heading) {
+                ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
+                ImGui::TextUnformatted(
+                    fitting(frame.results.timeline[row.event].group, ImGui::GetContentRegionAvail().x).c_str());
+                ImGui::PopStyleColor();
+            } else draw_event(frame, row.event);
+            ImGui::PopID();
+        }
+    ImGui::EndChild();
+}
+
+}  // namespace glassbox

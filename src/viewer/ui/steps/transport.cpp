@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/model/playing.hpp"
+#include "viewer/ui/steps/parts.hpp"
+
+namespace glassbox {
+
+namespace {
+
+enum class Icon { first, back, play, pause, forward, last };
+
+/// Drawn, and not text: the fonts do not have these signs.
+void draw_icon(Icon icon, ImVec2 middle, float r, ImU32 color) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto triangle = [&](float from, float to) {  // its tip at `to`
+        list.AddTriangleFilled({middle.x + from * r, middle.y - r * .8f}, {middle.x + from * r, middle.y + r * .8f},
+                               {middle.x + to * r, middle.y}, color);
+    };
+    const auto bar = [&](float from, float to) {
+        list.AddRectFilled({middle.x + from * r, middle.y - r * .8f}, {middle.x + to * r, middle.y + r * .8f}, color);
+    };
+    switch (icon) {
+        case Icon::first:
+            bar(-1, -.7f);
+            triangle(.9f, -.6f);
+            return;
+        case Icon::back:
+            triangle(.2f, -1);
+            bar(.5f, .8f);
+            return;
+        case Icon::play:
+            return triangle(-.7f, 1);
+        case Icon::pause:
+            bar(-.7f, -.2f);
+            bar(.2f, .7f);
+            return;
+        case Icon::forward:
+            bar(-.8f, -.5f);
+            triangle(-.2f, 1);
+            return;
+        case Icon::last:
+            triangle(-.9f, .6f);
+            bar(.7f, 1);
+            return;
+    }
+}
+
+void tip(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+bool icon_button(const char* id, Icon icon, const char* what) {
+    const float size = ImGui::GetFrameHeight();
+    const bool clicked = ImGui::Button(id, {1.35f * size, size});
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    draw_icon(icon, {(from.x + to.x) / 2, (from.y + to.y) / 2}, size * .27f, ImGui::GetColorU32(ImGuiCol_Text));
+    tip(what);
+    return clicked;
+}
+
+void buttons(const Frame& frame) {
+    ViewerState& state = frame.state;
+    const auto go = [&](StepTo to) {
+        state.playing = false;
+        state.step = stepped(frame.results.timeline, state.step, to);
+    };
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    if (icon_button("##first", Icon::first, "To the first step (Home)")) go(StepTo::first);
+    ImGui::SameLine(0, gap);
+    if (icon_button("##back", Icon::back, "A step back ([)")) go(StepTo::back);
+    ImGui::SameLine(0, gap);
+    if (icon_button("##play", state.playing ? Icon::pause : Icon::play,
+                    state.playing ? "Pause (Space)" : "Play (Space)"))
+        play_or_pause(state, frame.results);
+    ImGui::SameLine(0, gap);
+    if (icon_button("##forward", Icon::forward, "A step forward (])")) go(StepTo::forward);
+    ImGui::SameLine(0, gap);
+    if (icon_button("##last", Icon::last, "To the last step (End)")) go(StepTo::last);
+
+    const auto width = [](const char* label) {
+        return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    };
+    ImGui::SameLine(0, gap);
+    const bool in_full = ImGui::GetContentRegionAvail().x > width("✗ next failed") + gap + width("⚠ next cancellation");
+    ImGui::NewLine();
+    const auto next = [&](const char* full, const char* brief, ImU32 color, StepTo to, const char* what) {
+        const char* const label = in_full ? full : brief;
+        same_line_if_fits(width(label));
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        const bool clicked = ImGui::Button(label);
+        ImGui::PopStyleColor();
+        tip(what);
+        if (clicked) go(to);
+    };
+    next("✗ next failed", "✗ next", frame.palette.failed, StepTo::next_failed, "To the next test that says no (n)");
+    next("⚠ next cancellation", "⚠ next", frame.palette.warning, StepTo::next_cancellation,
+         "To the next sum or difference that loses a bit or more beyond those of its operands (c)");
+}
+
+/// All events on a line: above it the failed tests, below it the cancellations.
+void slider(const Frame& frame) {
+    ViewerState& state = frame.state;
+    const auto& events = frame.results.timeline;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), pad = height / 3;
+    ImGui::InvisibleButton("##steps", {std::max(width, 1.f), height});
+    const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    const auto last = static_cast<float>(std::max<std::size_t>(events.size(), 2) - 1);
+    const float length = std::max(width - 2 * pad, 1.f), middle = from.y + height / 2;
+    const auto x_of = [&](std::size_t step) { return from.x + pad + length * static_cast<float>(step) / last; };
+    const float part = std::clamp((ImGui::GetIO().MousePos.x - from.x - pad) / length, 0.f, 1.f);
+    const std::size_t pointed = std::min(static_cast<std::size_t>(std::lround(part * last)), events.size() - 1);
+    if (active) {
+        state.playing = false;
+        state.step = pointed;
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float thick = std::max(1.f, height / 16);
+    list.AddRectFilled({from.x, from.y}, {from.x + width, from.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                       ImGui::GetStyle().FrameRounding);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const float x = x_of(i);
+        if (events[i].failed) list.AddLine({x, from.y + thick}, {x, middle - thick}, frame.palette.failed, thick);
+        if (events[i].cancellation)
+            list.AddLine({x, middle + thick}, {x, from.y + height - thick}, frame.palette.warning, thick);
+    }
+    list.AddLine({x_of(0), middle}, {from.x + pad + length, middle}, frame.palette.line, thick);
+    list.AddLine({x_of(0), middle}, {x_of(state.step), middle}, frame.palette.accent, 2 * thick);
+    list.AddCircleFilled({x_of(state.step), middle}, height * (active || hovered ? .32f : .26f), frame.palette.accent);
+    if (hovered && !active) ImGui::SetTooltip("%s", events[pointed].what.c_str());
+}
+
+void counts(const Frame& frame) {
+    const auto& events = frame.results.timeline;
+    const auto failed = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.failed; });
+    const auto lost = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.cancellation; });
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("%zu of %zu", frame.state.step + 1, events.size());
+    const auto piece = [&](const std::string& text, ImU32 color) {
+        same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+    };
+    piece(fmt::format(" ✗ {} failed", failed), frame.palette.failed);
+    piece(fmt::format(" ⚠ {} cancelled", lost), frame.palette.warning);
+    const float wide = 7 * ImGui::GetFontSize();
+    same_line_if_fits(wide);
+    const float left = ImGui::GetContentRegionAvail().x - wide;
+    if (left > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
+    ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));
+    constexpr double least = .5, most = 200;
+    ImGui::SliderScalar("##speed", ImGuiDataType_Double, &frame.state.steps_per_second, &least, &most, "%.3g steps/s",
+                        ImGuiSliderFlags_Logarithmic);
+    frame.state.steps_per_second = std::clamp(frame.state.steps_per_second, least, most);
+    tip("How fast Play goes");
+}
+
+}  // namespace
+
+void same_line_if_fits(float width) {
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void draw_transport(const Frame& frame) {
+    buttons(frame);
+    slider(frame);
+    counts(frame);
+}
+
+}  // namespace glassbox

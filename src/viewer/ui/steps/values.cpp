@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <string>
+
+#include "explain/loss.hpp"
+#include "explain/phrases.hpp"
+#include "viewer/ui/steps/parts.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using story::StoryStep;
+
+void colored_text(ImU32 color, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+}
+
+/// The last line of a number: how far it can be, and is, from the truth.
+std::string how_true(const Checked& number) {
+    std::string text = bound(number.error);
+    if (number.known == Known::not_at_all) return text + ", its true value is not known";
+    if (number.distance != 0) text += fmt::format(", truly {:.17g}", number.truth);
+    return text + ", " + lost(number.bits_lost);
+}
+
+void number_row(const Frame& frame, const std::string& name, const Checked& number, ImU32 color) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    colored_text(color, name);
+    ImGui::TableNextColumn();
+    ImGui::PushFont(frame.fonts.mono);
+    ImGui::TextWrapped("%s", fmt::format("{:.17g}", number.value).c_str());
+    ImGui::PopFont();
+    const std::string truth = how_true(number);
+    same_line_if_fits(ImGui::CalcTextSize(truth.c_str()).x);
+    colored_text(frame.palette.faint_text, truth);
+}
+
+/// What a comparison says, and whether that is true.
+void draw_answer(const Frame& frame, const Checked& answer) {
+    const bool holds = answer.value != 0;
+    std::string text = holds ? "✓ yes" : "✗ no";
+    if (answer.known == Known::not_at_all) text += "; whether it is truly so is not known";
+    else if (answer.truth != answer.value) text += holds ? ", but truly no" : ", but truly yes";
+    else
+        text += answer.error == 0 ? ", proven by the error bounds" : ", truly so, but the error bounds cannot prove it";
+    colored_text(holds ? frame.palette.passed : frame.palette.failed, text);
+}
+
+void draw_step(const Frame& frame, const Event& event) {
+    const std::span<const StoryStep> steps = tape_of(*frame.results.story, *event.place);
+    const StoryStep& told = steps[event.place->step];
+    const int count = operands(told.step.operation);
+    const bool compares = is_comparison(told.step.operation);
+    if (ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("name", 0, .33f);
+        ImGui::TableSetupColumn("value", 0, .67f);
+        number_row(frame, event.left, steps[told.step.left].checked, frame.palette.text);
+        if (count == 2) number_row(frame, event.right, steps[told.step.right].checked, frame.palette.text);
+        if (!compares) number_row(frame, told.name.empty() ? "result" : told.name, told.checked, frame.palette.accent);
+        ImGui::EndTable();
+    }
+    if (compares) draw_answer(frame, told.checked);
+    if (event.cancellation)
+        colored_text(frame.palette.warning, fmt::format("⚠ cancellation: {:.1f} bits lost beyond those of the operands",
+                                                        bits_lost_by(steps, told)));
+}
+
+}  // namespace
+
+void draw_values(const Frame& frame, const Event& event) {
+    const Sign sign = sign_of(frame, event);
+    const std::string& text = event.formula.empty() ? event.what : event.formula;
+    colored_text(sign.color, (*sign.text ? std::string(sign.text) + ' ' : "") + text);
+    if (event.place) draw_step(frame, event);
+}
+
+}  // namespace glassbox
