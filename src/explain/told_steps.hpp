@@ -12,8 +12,7 @@ inline std::vector<story::StoryStep> told_steps(const Tape& tape, const std::vec
     std::vector<story::StoryStep> told;
     told.reserve(checked.size());
     std::vector<std::string> names = tape.names();
-    for (std::size_t i = 0; i < checked.size(); ++i)
-        told.push_back({tape.steps()[i], std::move(names[i]), checked[i]});
+    for (std::size_t i = 0; i < checked.size(); ++i) told.push_back({tape.steps()[i], std::move(names[i]), checked[i]});
     return told;
 }
 
