@@ -1,0 +1,181 @@
+#include "viewer/ui/inspector/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/ui/inspector/drawings.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// Places items side by side as long as they fit, then below.
+class Flow {
+public:
+    Flow() : right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+
+    void item(ImU32 color, const std::string& text) {
+        const float gap = ImGui::GetFontSize() * .5f;
+        if (!first_ && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(text.c_str()).x <= right_)
+            ImGui::SameLine(0, gap);
+        first_ = false;
+        colored(color, text);
+    }
+    /// Further items follow on this line.
+    void begun() { first_ = false; }
+
+private:
+    float right_;
+    bool first_ = true;
+};
+
+void draw_facts(const InspectedNumber& number) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const NumberFact& fact : facts(number)) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", fact.name.c_str());
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(fact.text.c_str());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::EndTooltip();
+}
+
+/// Not a number is the same as not a number here.
+bool same(const InspectedNumber& a, const InspectedNumber& b) {
+    return written(a, NumberForm::hex) == written(b, NumberForm::hex);
+}
+
+bool same(const InspectorRow& a, const InspectorRow& b) {
+    return a.note == b.note && a.passed == b.passed &&
+           std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), b.numbers.end(),
+                      [](const auto& x, const auto& y) { return same(x, y); });
+}
+
+ImU32 color_of(const Palette& palette, const std::string& label) {
+    if (label == "a") return palette.a;
+    if (label == "b") return palette.b;
+    if (label == "c") return palette.c;
+    return palette.faint_text;
+}
+
+void draw_value(const Frame& frame, const InspectorRow& row, bool different) {
+    const Palette& palette = frame.palette;
+    const NumberForm form = frame.state.number_form;
+    if (different) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette.warning);
+        ImGui::TextUnformatted("≠");
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("differs from the first pixel's");
+        ImGui::SameLine(0, ImGui::GetFontSize() * .3f);
+    }
+    if (row.passed) draw_mark(palette, *row.passed);
+    if (row.color) draw_swatch(palette, *row.color);
+    ImGui::BeginGroup();
+    Flow flow;
+    ImGui::PushFont(frame.fonts.mono);
+    for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+        const InspectedNumber& number = row.numbers[i];
+        const bool more = i + 1 < row.numbers.size();
+        flow.item(palette.text, written(number, form) + (more ? "," : ""));
+        draw_facts(number);
+        if (row.numbers.size() > 1 || !number.checked) continue;
+        flow.item(number.checked->error == 0 ? palette.faint_text : palette.text, written_bound(number, form));
+        draw_facts(number);
+    }
+    ImGui::PopFont();
+    if (!row.note.empty()) flow.item(row.numbers.empty() ? palette.text : palette.faint_text, row.note);
+    ImGui::EndGroup();
+    if (row.with_bar && row.numbers.front().checked)
+        draw_error_bar(frame, *row.numbers.front().checked, ImGui::GetContentRegionAvail().x);
+}
+
+void draw_cell(const Frame& frame, const InspectorRow* row, bool different) {
+    if (!row) {
+        ImGui::TextDisabled("–");
+        return;
+    }
+    draw_value(frame, *row, different);
+}
+
+/// Labels take as much as they need, but less than half.
+float label_width(std::span<const Pair<InspectorRow>> rows) {
+    float width = 0;
+    for (const auto& [first, second] : rows)
+        width = std::max(width, ImGui::CalcTextSize((first ? first : second)->label.c_str()).x);
+    return std::min(width, ImGui::GetContentRegionAvail().x * .4f);
+}
+
+}  // namespace
+
+void colored(ImU32 color, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void draw_mark(const Palette& palette, bool passed) {
+    ImGui::PushStyleColor(ImGuiCol_Text, passed ? palette.passed : palette.failed);
+    ImGui::TextUnformatted(passed ? "✓" : "✗");
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, ImGui::GetFontSize() * .3f);
+}
+
+void draw_swatch(const Palette& palette, Rgb color) {
+    const float side = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({side, side});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x, low.y + side * .08f}, {low.x + side * .92f, low.y + side}, to_color(color));
+    list.AddRect({low.x, low.y + side * .08f}, {low.x + side * .92f, low.y + side}, palette.line);
+    ImGui::SameLine(0, side * .3f);
+}
+
+bool one_below_the_other() { return ImGui::GetContentRegionAvail().x < 30 * ImGui::GetFontSize(); }
+
+void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, bool comparing) {
+    if (rows.empty()) return;
+    const bool below = comparing && one_below_the_other();
+    const float labels = label_width(rows);
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings |
+                                      ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
+    if (!ImGui::BeginTable("rows", below ? 1 : comparing ? 3 : 2, flags)) return;
+    if (!below) ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, labels);
+    ImGui::TableSetupColumn("first", ImGuiTableColumnFlags_WidthStretch);
+    if (comparing && !below) ImGui::TableSetupColumn("second", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& [first, second] : rows) {
+        const std::string& label = (first ? first : second)->label;
+        const bool different = comparing && !(first && second && same(*first, *second));
+        ImGui::PushID(label.c_str());
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        colored(color_of(frame.palette, label), label);
+        if (!below) {
+            ImGui::TableNextColumn();
+            draw_cell(frame, first, false);
+            if (comparing) {
+                ImGui::TableNextColumn();
+                draw_cell(frame, second, different);
+            }
+        } else {
+            for (const auto& [row, color] : {std::pair(first, frame.palette.accent), {second, frame.palette.second}}) {
+                if (row == second && !different) break;
+                ImGui::PushStyleColor(ImGuiCol_Text, color);
+                ImGui::TextUnformatted(row == first ? "●" : "◆");
+                ImGui::PopStyleColor();
+                ImGui::SameLine(0, ImGui::GetFontSize() * .3f);
+                draw_cell(frame, row, different && row == second);
+            }
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace glassbox

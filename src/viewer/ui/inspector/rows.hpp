@@ -1,0 +1,45 @@
+#pragma once
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "viewer/model/inspector.hpp"
+#include "viewer/ui/panels.hpp"
+
+namespace glassbox {
+
+/// One of the first pixel and one of the second, which belong together; null: that pixel has none.
+template <class T>
+using Pair = std::pair<const T*, const T*>;
+
+/// Those of two lists that have the same name, in the first one's order; then those that only the second one has.
+template <class T>
+std::vector<Pair<T>> paired(std::span<const T> first, std::span<const T> second, const std::string T::*name) {
+    std::vector<Pair<T>> pairs;
+    const auto find = [&](std::span<const T> in, const std::string& wanted) -> const T* {
+        for (const T& item : in)
+            if (item.*name == wanted) return &item;
+        return nullptr;
+    };
+    for (const T& item : first) pairs.emplace_back(&item, find(second, item.*name));
+    for (const T& item : second)
+        if (!find(first, item.*name)) pairs.emplace_back(nullptr, &item);
+    return pairs;
+}
+
+/// Text that wraps, in a colour.
+void colored(ImU32 color, const std::string& text);
+
+/// "✓ " or "✗ ", and the cursor behind it on the same line.
+void draw_mark(const Palette& palette, bool passed);
+
+/// A small square of a colour, and the cursor behind it on the same line.
+void draw_swatch(const Palette& palette, Rgb color);
+
+/// Whether two pixels' numbers have too little room beside each other.
+bool one_below_the_other();
+
+/// The rows of one pixel; with `comparing` of two, what differs marked.
+void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, bool comparing);
+
+}  // namespace glassbox
