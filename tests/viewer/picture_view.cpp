@@ -2,6 +2,8 @@
 
 #include <doctest.h>
 
+#include <initializer_list>
+
 using namespace glassbox;
 
 TEST_CASE("A fitted picture is as large as the area allows, and in its middle") {
