@@ -114,9 +114,9 @@ void draw_beside(const Frame& frame) {
         ImGui::TextWrapped("The other is computed as this one is: choose another scalar or rule.");
         ImGui::PopStyleColor();
     }
-    choose_other(frame);
     tell_difference(frame);
     if (state.beside == Beside::difference) difference_legend(frame);
+    choose_other(frame);
 }
 
 }  // namespace glassbox

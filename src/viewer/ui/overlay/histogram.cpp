@@ -56,7 +56,7 @@ struct Plot {
 std::vector<Tick> count_ticks(const Frame& frame, std::int64_t most) {
     if (!frame.state.overlay_page.log_counts) return ticks(0, static_cast<double>(most), 3, true);
     std::vector<Tick> all{{0, "0"}};
-    const double lines = std::max(1.0, std::ceil(std::log10(static_cast<double>(most)) / 3));  // three of them at most
+    const double lines = std::max(1.0, std::ceil(std::log10(static_cast<double>(most)) / 4));  // four of them at most
     for (double power = 0; std::pow(10, power) <= static_cast<double>(most); power += lines)
         all.push_back({std::pow(10, power), legend_number(std::pow(10, power), 1)});
     return all;
@@ -67,9 +67,9 @@ void draw_counts(ImDrawList& list, const Plot& plot, const std::vector<Tick>& co
     float last = plot.corner.y + plot.height + size * 2;
     for (const Tick& tick : counts) {
         const float y = plot.y(tick.value);
-        list.AddLine({plot.corner.x, y}, {plot.corner.x + plot.width, y}, plot.frame.palette.line);
         if (last - y < size) continue;  // no room for its label
         last = y;
+        list.AddLine({plot.corner.x, y}, {plot.corner.x + plot.width, y}, plot.frame.palette.line);
         const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
         list.AddText({plot.corner.x - width - size * .3f, y - size / 2}, plot.frame.palette.faint_text,
                      tick.label.c_str());
@@ -129,16 +129,35 @@ std::optional<double> value_at(const Frame& frame, int axis, const std::optional
                         static_cast<std::size_t>(pixel->x)];
 }
 
-/// A line through all of the plot where a pinned pixel's value is, with the pin's number above.
-void draw_pin(ImDrawList& list, const Plot& plot, double value, ImU32 color, const char* name) {
-    if (std::isnan(value)) return;
+float x_of(const Plot& plot, double value) {
     const double within = std::clamp(value, plot.of.coloring.low, plot.of.coloring.high);
-    const float x = plot.corner.x + static_cast<float>(place_on_bar(plot.of.coloring, within, plot.columns()));
+    return plot.corner.x + static_cast<float>(place_on_bar(plot.of.coloring, within, plot.columns()));
+}
+
+/// A line through all of the plot at x, where a pinned pixel's value is, with the pin's number above, moved aside a
+/// bit.
+void draw_pin(ImDrawList& list, const Plot& plot, float x, float aside, ImU32 color, const char* name) {
     const float size = ImGui::GetFontSize(), thick = std::max(2.f, size / 9);
     const float end = plot.corner.y + plot.height + plot.bar;
     list.AddLine({x, plot.corner.y}, {x, end}, IM_COL32_BLACK, thick + 2);
     list.AddLine({x, plot.corner.y}, {x, end}, color, thick);
-    list.AddText({x - ImGui::CalcTextSize(name).x / 2, plot.corner.y - size}, color, name);
+    list.AddText({x + aside - ImGui::CalcTextSize(name).x / 2, plot.corner.y - size}, color, name);
+}
+
+/// Both pins; the numbers of two that are close stand side by side.
+void draw_pins(ImDrawList& list, const Plot& plot) {
+    const Frame& frame = plot.frame;
+    const auto place = [&](const std::optional<Pixel>& pixel) -> std::optional<float> {
+        const auto value = value_at(frame, plot.axis, pixel);
+        if (!value || std::isnan(*value)) return {};
+        return x_of(plot, *value);
+    };
+    const auto first = place(frame.state.pinned), second = place(frame.state.compared);
+    const float room = ImGui::CalcTextSize("00").x / 2;
+    float aside = first && second && std::abs(*first - *second) < room ? room / 2 : 0;
+    if (aside > 0 && *second < *first) aside = -aside;
+    if (second) draw_pin(list, plot, *second, aside, frame.palette.second, "2");
+    if (first) draw_pin(list, plot, *first, -aside, frame.palette.accent, "1");
 }
 
 void say_pin(const Frame& frame, const std::optional<Pixel>& pixel, ImU32 color, const char* name) {
@@ -243,10 +262,7 @@ void draw_histogram(const Frame& frame, int axis) {
     draw_bins(list, plot);
     draw_bar(list, plot, what);
     draw_ticks(list, plot);
-    if (const auto value = value_at(frame, axis, frame.state.compared))
-        draw_pin(list, plot, *value, frame.palette.second, "2");
-    if (const auto value = value_at(frame, axis, frame.state.pinned))
-        draw_pin(list, plot, *value, frame.palette.accent, "1");
+    draw_pins(list, plot);
     ImGui::PushID(axis);
     listen(list, plot, what);
     ImGui::PopID();

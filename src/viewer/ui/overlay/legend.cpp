@@ -42,7 +42,7 @@ void contour(const Frame& frame, const Measurement& what) {
     list.AddLine({at.x + size * .2f, at.y + size}, {at.x + size, at.y + size * .2f}, IM_COL32_BLACK, size / 8);
     ImGui::Dummy({size, size});
     ImGui::SameLine();
-    ImGui::TextWrapped("the line: the values are %s or more on one side of it",
+    ImGui::TextWrapped("the line: where the values pass %s",
                        with_unit(legend_number(*what.contour), what.unit).c_str());
 }
 
@@ -85,17 +85,24 @@ bool number_field(const char* label, double& value, float width) {
     return changed;
 }
 
-void range(const Frame& frame, const Measurement& what, const Coloring& coloring) {
+std::string_view told_range(const Measurement& what) {
+    if (what.range) return "The same for every picture";
+    if (what.scale == Scale::diverging) return "As far to both sides of 0 as the values reach";
+    return "From the least to the greatest value";
+}
+
+void range(const Frame& frame, const Measurement& what, const Summary& summary, const Coloring& coloring) {
     Overlay& overlay = frame.state.overlay;
     if (what.scale == Scale::direction) return faint(frame, "The colours always run from −1 to 1.");
     ImGui::TextUnformatted("Range of the colours");
     if (ImGui::RadioButton("automatic", !overlay.range)) overlay.range.reset();
     ImGui::SameLine();
     if (ImGui::RadioButton("set", overlay.range.has_value()) && !overlay.range) overlay.range = coloring.limits();
+    const bool wider = coloring.limits() != std::pair(summary.least, summary.greatest);
+    if (summary.least < summary.greatest && wider && ImGui::Button("From the least to the greatest"))
+        overlay.range = {summary.least, summary.greatest};
     if (!overlay.range)
-        return faint(frame, what.range
-                                ? "The same for every picture. Drag over the histogram to set another."
-                                : "From the least to the greatest value. Drag over the histogram to set another.");
+        return faint(frame, std::string(told_range(what)) + ". Drag over the histogram to set another.");
 
     const ImGuiStyle& style = ImGui::GetStyle();
     const float labels = ImGui::CalcTextSize("from").x + ImGui::CalcTextSize("to").x + 2 * style.ItemInnerSpacing.x;
@@ -170,7 +177,8 @@ void draw_legend(const Frame& frame) {
     if (!any && summary.missing > 0) {
         const Setup& setup = state.setup.now();
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.warning);
-        ImGui::TextWrapped("No pixel has a value: %s.", why_no_value(what, setup.shading.model, setup.options).c_str());
+        ImGui::TextWrapped("No pixel has a value (%s).",
+                           why_no_value(what, setup.shading.model, setup.options).c_str());
         ImGui::PopStyleColor();
         return;
     }
@@ -182,7 +190,7 @@ void draw_legend(const Frame& frame) {
     if (summary.any_finite() && what.scale != Scale::direction) ends(summary, what.unit);
     if (what.contour) contour(frame, what);
     counts(frame, what, distributions.front());
-    range(frame, what, distributions.front().coloring);
+    range(frame, what, summary, distributions.front().coloring);
 }
 
 }  // namespace glassbox

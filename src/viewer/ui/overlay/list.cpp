@@ -65,11 +65,13 @@ void filter_box(std::string& filter) {
     if (ImGui::Button("×##filter", {ImGui::GetFrameHeight(), 0})) filter.clear();
 }
 
-/// Whether the choice is another one than when this was last asked.
+/// Whether the choice is another one than when this was last asked, or the rows have another height.
 bool is_new_choice(const std::string& measurement) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID key = ImGui::GetID("shown");
-    const auto now = static_cast<int>(ImGui::GetID(measurement.c_str()));
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string seen = fmt::format("{} {} {}", measurement, ImGui::GetFontSize(), width);
+    const auto now = static_cast<int>(ImGui::GetID(seen.c_str()));
     const bool is_new = storage.GetInt(key) != now;
     storage.SetInt(key, now);
     return is_new;
