@@ -24,7 +24,7 @@ void opacity(ViewerState& state) {
 void ends(const Summary& summary, std::string_view unit) {
     const int digits = digits_between(summary.least, summary.greatest);
     const std::string least = with_unit(legend_number(summary.least, digits), unit);
-    if (summary.least == summary.greatest) return ImGui::TextWrapped("everywhere %s", least.c_str());
+    if (summary.least == summary.greatest) return ImGui::TextWrapped("every value is %s", least.c_str());
     const std::string left = "least " + least;
     const std::string right = "greatest " + with_unit(legend_number(summary.greatest, digits), unit);
     ImGui::TextWrapped("%s", left.c_str());
