@@ -172,6 +172,11 @@ constexpr Settable settables[] = {
          const auto part = static_cast<float>(number(name, typed, .1, .75));
          return change([part](ViewerState& s) { s.side_width = part; });
      }},
+    {"space-height",
+     [](Name name, Name typed) {
+         const auto part = static_cast<float>(number(name, typed, .1, .8));
+         return change([part](ViewerState& s) { s.space_height = part; });
+     }},
 };
 
 ScriptStep set(const Words& words) {
@@ -216,8 +221,7 @@ ScriptStep orbit(const Words& words) {
     const Words typed = between_commas(words[1]);
     if (typed.size() != 2 && typed.size() != 3)
         throw wrong("orbit", fmt::format("'{}' must be AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE", words[1]));
-    Orbit to{number("orbit", typed[0], -360, 360),
-             number("orbit", typed[1], -greatest_elevation, greatest_elevation)};
+    Orbit to{number("orbit", typed[0], -360, 360), number("orbit", typed[1], -greatest_elevation, greatest_elevation)};
     if (typed.size() == 3) to.distance = number("orbit", typed[2], least_distance, greatest_distance);
     return change([to](ViewerState& state) { state.orbit = to; });
 }
