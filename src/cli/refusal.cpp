@@ -55,7 +55,8 @@ std::string option_without_value(const CLI::App& command) {
 
 std::string option_given_twice(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options())
-        if (option->get_type_size() > 0 && option->count() > static_cast<std::size_t>(option->get_items_expected_max()))
+        if (option->get_items_expected_max() > 0 &&  // no flag: those expect nothing after them
+            option->count() > static_cast<std::size_t>(option->get_items_expected_max()))
             return fmt::format("{}: given {} times; give it once", option->get_name(), option->count());
     return "";
 }

@@ -65,6 +65,7 @@ TEST_CASE("a word too many, too few, or twice") {
         {render({"--size", "--threads", "2"}), {"--size: a value is missing before --threads"}},
         {render({"-o", "--size", "2x2"}), {"--out: a value is missing before --size"}},
         {render({"--threads", "1", "--threads", "2"}), {"--threads: given 2 times; give it once"}},
+        {render({"--accumulated", "--threads", "1", "--threads", "2"}), {"--threads: given 2 times; give it once"}},
         {render({"-o", "a.png", "--out", "b.png"}), {"--out: given 2 times; give it once"}},
         {render({"-o", ""}), {"--out: '' must be the name of a file"}},
         {{"shoot", "s.toml", "--rays", ""}, {"--rays: '' must be the name of a file"}},
