@@ -27,8 +27,7 @@ public:
 
     ~Latest() {
         thread_.request_stop();
-        const std::lock_guard lock(mutex_);
-        current_.request_stop();
+        cancel();
     }
 
     void ask(Work work) {
