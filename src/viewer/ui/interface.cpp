@@ -48,12 +48,12 @@ void draw_pages(const Frame& frame) {
     if (!ImGui::BeginTabBar("pages")) return;
     static_assert(std::size(pages) == 4);
     const Page wanted = frame.state.page;
+    const bool is_shown = frame.state.page_shown == wanted;
     for (const PageTab& tab : pages) {
         // A page chosen by a key or a script is brought to the front; a click on a tab chooses it.
-        const bool bring = wanted == tab.page && frame.state.page_shown != wanted;
+        const bool bring = wanted == tab.page && !is_shown;
         if (!ImGui::BeginTabItem(tab.title, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0)) continue;
-        if (frame.state.page_shown == wanted || bring) frame.state.page = tab.page;
-        if (bring || frame.state.page == tab.page) frame.state.page_shown = tab.page;
+        if (is_shown || bring) frame.state.page = frame.state.page_shown = tab.page;
         ImGui::BeginChild(tab.title);
         tab.draw(frame);
         ImGui::EndChild();
