@@ -105,9 +105,9 @@ struct FirstHit {
     Number t;
     bool t_by_exact = false;  ///< t is the truth rounded once, and not what the steps give
     Vector point, normal;
-    std::optional<Shade> shade;  ///< from stage 4
-    std::vector<StoryStep> steps;   ///< from the surface's test on
-    std::size_t tested_before = 0;  ///< so many of them are that test again, as the surface's own steps tell it
+    std::optional<Shade> shade;       ///< from stage 4
+    std::vector<StoryStep> steps;     ///< from the surface's test on
+    std::size_t tested_before = 0;    ///< so many of them are that test again, as the surface's own steps tell it
     std::optional<StepNumber> worst;  ///< the step that lost the most bits beyond those of its operands
     double worst_loss = 0;            ///< how many
 };
@@ -126,7 +126,7 @@ struct Story {
     bool border = false;  ///< it is on the border, which is painted over the picture
     Rgb traced;           ///< what the ray brings: differs from `color` on the border only
     Ray<double> ray;
-    std::optional<story::Vector> ray_color;  ///< stage 1: the direction as a colour
+    std::optional<story::Vector> ray_color;   ///< stage 1: the direction as a colour
     std::vector<story::StoryStep> ray_steps;  ///< and how it was computed
     std::size_t tested = 0, met = 0;
     std::vector<story::Surface> surfaces;  ///< those met, and the nearest misses

@@ -24,16 +24,16 @@ struct Frame {
 // The parts of the interface. Each fills the Dear ImGui window or child that is open, and nothing else.
 
 void draw_toolbar(const Frame& frame);
-void draw_picture(const Frame& frame);    ///< the picture with all that lies on it
-void draw_space(const Frame& frame);      ///< the scene in space
-void draw_inspector(const Frame& frame);  ///< the pinned pixel's story
-void draw_steps(const Frame& frame);      ///< its timeline, and the source
-void draw_overlay(const Frame& frame);    ///< which measurement, its legend and histogram, what stands beside
-void draw_controls(const Frame& frame);   ///< all of the setup
-void draw_status(const Frame& frame);     ///< one line
+void draw_picture(const Frame& frame);     ///< the picture with all that lies on it
+void draw_space(const Frame& frame);       ///< the scene in space
+void draw_inspector(const Frame& frame);   ///< the pinned pixel's story
+void draw_steps(const Frame& frame);       ///< its timeline, and the source
+void draw_overlay(const Frame& frame);     ///< which measurement, its legend and histogram, what stands beside
+void draw_controls(const Frame& frame);    ///< all of the setup
+void draw_status(const Frame& frame);      ///< one line
 void draw_scene_menu(const Frame& frame);  ///< what can be opened, if it is shown
 /// Why the file cannot be read, over the area of the last good picture.
 void draw_file_error(const Frame& frame, ImVec2 corner, ImVec2 size);
-void draw_keys(const Frame& frame);       ///< the list of keys, if it is shown
+void draw_keys(const Frame& frame);  ///< the list of keys, if it is shown
 
 }  // namespace glassbox

@@ -36,7 +36,10 @@ struct Canvas {
 void draw_texture(const Canvas& canvas, const Texture& texture, ImU32 tint = IM_COL32_WHITE) {
     if (texture.empty()) return;
     const Scene& scene = *canvas.frame.state.scene;
-    canvas.list.AddImage(texture.id(), canvas.at(0, 0), canvas.at(scene.width, scene.height), {0, 0}, {1, 1}, tint);
+    // From whole pixel to whole pixel of the screen: else a picture made smaller can lose its last column.
+    const auto whole = [](ImVec2 p) { return ImVec2(std::round(p.x), std::round(p.y)); };
+    canvas.list.AddImage(texture.id(), whole(canvas.at(0, 0)), whole(canvas.at(scene.width, scene.height)), {0, 0},
+                         {1, 1}, tint);
 }
 
 /// What is right of the split, or over all of the picture.
@@ -137,7 +140,8 @@ void draw_pin(const Canvas& canvas, Pixel pixel, ImU32 color, const char* name) 
     canvas.list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, 2);
     const ImVec2 size = ImGui::CalcTextSize(name);
     const ImVec2 label{to.x + 5, from.y - size.y};
-    canvas.list.AddRectFilled({label.x - 2, label.y}, {label.x + size.x + 2, label.y + size.y}, canvas.frame.palette.canvas);
+    canvas.list.AddRectFilled({label.x - 2, label.y}, {label.x + size.x + 2, label.y + size.y},
+                              canvas.frame.palette.canvas);
     canvas.list.AddText(label, color, name);
 }
 
@@ -204,8 +208,8 @@ void pin(ViewerState& state, Pixel pixel, bool second) {
     state.playing = false;
 }
 
-/// Turns the view with the mouse: to the side about z, up and down about y, half a turn for the picture's width. What is
-/// seen follows the mouse, where x points at the viewer.
+/// Turns the view with the mouse: to the side about z, up and down about y, half a turn for the picture's width. What
+/// is seen follows the mouse, where x points at the viewer.
 void turn_by_mouse(const Canvas& canvas) {
     ViewerState& state = canvas.frame.state;
     ImVec2 by{};
