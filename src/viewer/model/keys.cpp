@@ -119,13 +119,21 @@ bool is_meant(const KeyBinding& binding, const KeyPress& press) {
            press.control == binding.press.control && (!press.control || press.shift == binding.press.shift);
 }
 
+/// Ctrl with + wherever the keyboard has it: with Shift on =, as on American ones, and then without Shift, too.
+KeyPress without_layout(const KeyPress& press) {
+    const bool plus =
+        press.key == Key::character && press.control && (press.character == '=' || press.character == '+');
+    return plus ? control('+') : press;
+}
+
 }  // namespace
 
 std::span<const KeyBinding> key_bindings() { return bindings; }
 
 void obey(const KeyPress& press, ViewerState& state, const Results& results) {
+    const KeyPress meant = without_layout(press);
     for (const KeyBinding& binding : bindings)
-        if (is_meant(binding, press)) return binding.act(state, results, press);
+        if (is_meant(binding, meant)) return binding.act(state, results, press);
 }
 
 }  // namespace glassbox

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "viewer/model/keys.hpp"
 #include "viewer/ui/panels.hpp"
 
@@ -22,14 +24,20 @@ void draw_keys(const Frame& frame) {
             ImGui::TextUnformatted(right.data(), right.data() + right.size());
         };
         std::string_view group;
-        for (const KeyBinding& binding : key_bindings()) {
+        const std::span<const KeyBinding> bindings = key_bindings();
+        for (std::size_t i = 0; i < bindings.size();) {
+            const KeyBinding& binding = bindings[i];
             if (binding.group != group) {
                 group = binding.group;
                 ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
                 row("", group);
                 ImGui::PopStyleColor();
             }
-            row(std::string(binding.label).c_str(), binding.what);
+            // Keys without words of their own belong to the one before.
+            std::string labels(binding.label);
+            for (++i; i < bindings.size() && bindings[i].what.empty(); ++i)
+                labels += fmt::format(" {}", bindings[i].label);
+            row(labels.c_str(), binding.what);
         }
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
         row("", "Mouse");
