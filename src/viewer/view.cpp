@@ -42,7 +42,12 @@ void view(ViewerState state, std::optional<WindowSize> size) {
     remember(state, before);
     Window window("Glassbox", size.value_or(WindowSize{before.window_width, before.window_height}));
     Interface interface(std::move(state), window.scale(), [] { Window::wake(); });
-    window.run([&](const Input& input) { return interface.draw(input); }, [&] { interface.prepare(); });
+    const auto draw = [&](const Input& input) {
+        const double stands = interface.draw(input);
+        if (interface.state().leaving) window.close();
+        return stands;
+    };
+    window.run(draw, [&] { interface.prepare(); });
     const Settings after = settings_of(interface.state(), window.size().width, window.size().height);
     if (!kept.empty() && after != before) write_settings(kept, after);
 }

@@ -109,6 +109,8 @@ constexpr KeyBinding bindings[] = {
      [](State& s, const Results&, const KeyPress&) { change_text_size(s, -2); }},
     {control('o'), "Ctrl+O", "open another scene", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.scene_menu.shown = !s.scene_menu.shown; }},
+    {control('q'), "Ctrl+Q", "close the window", "Everything",
+     [](State& s, const Results&, const KeyPress&) { s.leaving = true; }},
     {character('?'), "?", "show or hide this list", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.keys_shown = !s.keys_shown; }},
 };

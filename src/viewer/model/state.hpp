@@ -112,6 +112,7 @@ struct ViewerState {
     Orbit orbit;
     NumberForm number_form = NumberForm::brief;  ///< of the inspector
     bool keys_shown = false;
+    bool leaving = false;  ///< the window is to be closed
     SceneMenu scene_menu;
     bool turning = false;        ///< the mouse, dragged over the picture, turns the view
     bool light_refused = false;  ///< what was typed for the light has no direction
