@@ -238,12 +238,13 @@ ScriptStep step(const Words& words) {
 }
 
 ScriptStep key(const Words& words) {
+    const std::string label = words.size() > 2 ? words[1] + ' ' + words[2] : words[1];  // "Ctrl +" is two words
     std::vector<std::string_view> labels;
     for (const KeyBinding& binding : key_bindings()) {
-        if (words[1] == binding.label) return PressKey{binding.press};
+        if (label == binding.label) return PressKey{binding.press};
         labels.push_back(binding.label);
     }
-    throw wrong("key", fmt::format("'{}' is not known; {}", words[1], suggestion(words[1], labels)));
+    throw wrong("key", fmt::format("'{}' is not known; {}", label, suggestion(label, labels)));
 }
 
 /// A command of scripts: how many words follow it, and what they mean.
@@ -309,7 +310,7 @@ const Command commands[] = {
      }},
     {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
     {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
-    {"key", "key LABEL", 1, 1, key},
+    {"key", "key LABEL", 1, 2, key},
     {"wait", "wait [SECONDS]", 0, 1,
      [](const Words& w) -> ScriptStep { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},
     {"screenshot", "screenshot FILE.png", 1, 1,
