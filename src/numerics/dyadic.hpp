@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -26,13 +27,9 @@ public:
         if (value == 0) return;
         int exponent = 0;
         auto whole = static_cast<long long>(std::ldexp(std::frexp(value, &exponent), 53));
-        exponent -= 53;
-        while (whole % 2 == 0) {
-            whole /= 2;
-            ++exponent;
-        }
-        mantissa_ = whole;
-        exponent_ = exponent;
+        const int zeros = std::countr_zero(static_cast<unsigned long long>(whole));
+        mantissa_ = whole / (1LL << zeros);
+        exponent_ = exponent - 53 + zeros;
     }
 
     int sign() const { return mantissa_.sign(); }
