@@ -1,5 +1,5 @@
-// The body of both functions of bare_numbers.hpp: included by one file that is compiled against the headers as they
-// are, and by one that is compiled against headers without probes.
+// The body of the functions of bare_numbers.hpp: included by files that are compiled against the headers as they are,
+// and by one that is compiled against headers without probes.
 #include <probe.hpp>
 
 #include "render/search.hpp"
@@ -9,20 +9,23 @@ namespace {
 
 /// A function of its own with all its callees in it: neither what surrounds it nor how the compiler guesses the size of
 /// a probe that is not there yet changes how it is compiled.
-[[gnu::noinline, gnu::flatten]] double t_of_nearest(const PlainSearch<double, Stable, Pluecker>& search, const Ray<double>& ray) {
-    const Silent probe;
+template <class Probe>
+[[gnu::noinline, gnu::flatten]] double t_of_nearest(const PlainSearch<double, Stable, Pluecker>& search,
+                                                    const Ray<double>& ray, Probe& probe) {
     const auto hit = search.trace(ray, probe);
     return hit ? hit->t : 0;
 }
 
-double sum_of_t(std::span<const double> spheres, std::span<const double> triangles, std::span<const double> rays) {
+template <class Probe>
+double sum_of_t(const BareNumbers& numbers, Probe& probe) {
+    const auto& [spheres, triangles, rays] = numbers;
     const auto vec = [](std::span<const double> n) { return Vec3<double>{n[0], n[1], n[2]}; };
     PlainSearch<double, Stable, Pluecker> search{};
     for (auto s = spheres; !s.empty(); s = s.subspan(4)) search.surfaces.spheres.push_back({vec(s), s[3]});
     for (auto t = triangles; !t.empty(); t = t.subspan(9))
         search.surfaces.triangles.push_back({vec(t), vec(t.subspan(3)), vec(t.subspan(6))});
     double sum = 0;
-    for (auto r = rays; !r.empty(); r = r.subspan(6)) sum += t_of_nearest(search, {vec(r), vec(r.subspan(3))});
+    for (auto r = rays; !r.empty(); r = r.subspan(6)) sum += t_of_nearest(search, {vec(r), vec(r.subspan(3))}, probe);
     return sum;
 }
 

@@ -4,7 +4,8 @@
 namespace glassbox {
 
 double sum_of_t_with_silent_probe(const BareNumbers& numbers) {
-    return sum_of_t(numbers.spheres, numbers.triangles, numbers.rays);
+    const Silent probe;
+    return sum_of_t(numbers, probe);
 }
 
 }  // namespace glassbox

@@ -85,10 +85,13 @@ void bench_probes(const Scene& scene, int runs) {
     double sum = 0;  // keeps the compiler from leaving the work out
     const Speeds speeds =
         timed({{"nearest hit, without probes", rays, [&] { sum += sum_of_t_without_probe(numbers.bare()); }},
-               {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }}},
+               {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }},
+               {"nearest hit, counting probe", rays, [&] { sum += sum_of_t_with_counting_probe(numbers.bare()); }}},
               runs);
     print("nearest hit, without probes", speeds[0]);
     print("nearest hit, silent probe", speeds[1], times(speeds[1], speeds[0], "without probes"));
+    print("nearest hit, counting probe", speeds[2],
+          "takes " + times(speeds[1], speeds[2], "as long as with the silent one"));
     if (sum < 0) fmt::print("{}\n", sum);
 }
 
