@@ -134,6 +134,7 @@ double Offscreen::frame(const DrawFrame& draw, const Pointer& pointer, std::span
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, p.framebuffer);
     draw_gui(p.size.width, p.size.height);
+    glFinish();  // as a window's buffers are swapped: else frames that nobody sees yet pile up, and take no time
     p.count_errors();
     return stands;
 }
