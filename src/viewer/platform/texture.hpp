@@ -11,8 +11,8 @@ struct Rgba {
     std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
 };
 
-/// A picture in the graphics memory, drawn with hard pixel edges. It must be made, filled and destroyed while the
-/// OpenGL context is current. Moves, does not copy.
+/// A picture in the graphics memory, drawn with hard pixel edges, and smoothed where it is made smaller. It must be
+/// made, filled and destroyed while the OpenGL context is current. Moves, does not copy.
 class Texture {
 public:
     Texture() = default;
