@@ -123,14 +123,18 @@ void check_same(const Scene& scene, int x, int y, const Options& options = {}) {
     // Stage 1 knows no surfaces, and has no part for them.
     if (story.tested == 0)
         for (const char* count : {"/tested", "/met", "/not_listed"}) shown[count] = "0";
-    for (const auto& [path, text] : json) {
+    for (const auto& entry : json) {
+        const auto& path = entry.first;
+        const auto& text = entry.second;
         if (!is_claimed(path, worst)) continue;
         CAPTURE(path);
         REQUIRE(shown.contains(path));
         CHECK(shown[path] == text);
         ++found;
     }
-    for (const auto& [path, text] : shown) {
+    for (const auto& entry : shown) {
+        const auto& path = entry.first;
+        const auto& text = entry.second;
         CAPTURE(path);
         // JSON has no numbers that are not finite.
         if (text == "∞" || text == "−∞" || text == "not a number") {

@@ -15,6 +15,9 @@ namespace {
 
 constexpr WindowSize small{320, 200};
 
+/// What no window covers has the colour of windows: in these tests black.
+void blacken() { ImGui::GetStyle().Colors[ImGuiCol_WindowBg] = {0, 0, 0, 1}; }
+
 /// A frame's `draw` that fills the whole window with what `contents` says.
 template <class Contents>
 DrawFrame whole_window(Contents contents) {
@@ -40,6 +43,7 @@ int inked(const Image& image, int left, int top, int right, int bottom) {
 
 TEST_CASE("a texture is drawn at its place, with hard edges between its pixels") {
     Offscreen screen(small);
+    blacken();
     Texture texture;
     CHECK(texture.empty());
     const std::array<Rgba, 4> pixels{{{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}}};
@@ -67,6 +71,7 @@ TEST_CASE("a texture is drawn at its place, with hard edges between its pixels")
 
 TEST_CASE("a texture can be filled again, with another size, too, and moved") {
     Offscreen screen(small);
+    blacken();
     Texture first;
     const auto draw = [&](const Texture& texture) {
         screen.frame([&](const Input&) {
@@ -89,6 +94,7 @@ TEST_CASE("a texture can be filled again, with another size, too, and moved") {
 
 TEST_CASE("text is drawn where it should be, in both fonts, whose size can change between frames") {
     Offscreen screen(small);
+    blacken();
     for (const float size : {16.0f, 32.0f}) {
         const Fonts fonts = load_fonts(size);
         for (ImFont* font : {fonts.text, fonts.mono}) {
@@ -118,6 +124,7 @@ TEST_CASE("text is drawn where it should be, in both fonts, whose size can chang
 
 TEST_CASE("both fonts have every sign that we write") {
     Offscreen screen(small);
+    blacken();
     const Fonts fonts = load_fonts(16);
     screen.frame([](const Input&) { return 0.0; });
     const std::u32string signs =
@@ -137,6 +144,7 @@ TEST_CASE("both fonts have every sign that we write") {
 
 TEST_CASE("numbers in the mono font stand in columns") {
     Offscreen screen(small);
+    blacken();
     ImFont* mono = load_fonts(15).mono;
     screen.frame([&](const Input&) {
         const float width = mono->CalcTextSizeA(15, 1e6f, 0, "11111111").x;
@@ -148,6 +156,7 @@ TEST_CASE("numbers in the mono font stand in columns") {
 
 TEST_CASE("the mouse arrives: a click presses a button, the wheel is told for one frame") {
     Offscreen screen(small);
+    blacken();
     int clicks = 0;
     float wheel = 0;
     const DrawFrame draw = whole_window([&] {
@@ -173,6 +182,7 @@ TEST_CASE("the mouse arrives: a click presses a button, the wheel is told for on
 
 TEST_CASE("keys arrive: as they are, and typed into a text field") {
     Offscreen screen(small);
+    blacken();
     std::array<char, 32> field{};
     Input seen;
     bool entered = false;
@@ -213,6 +223,7 @@ TEST_CASE("keys arrive: as they are, and typed into a text field") {
 
 TEST_CASE("a frame says how long it may stand, and has the size asked for") {
     Offscreen screen(small);
+    blacken();
     const auto fill = [&] {
         return screen.frame([](const Input&) {
             const ImVec2 size = ImGui::GetIO().DisplaySize;

@@ -19,7 +19,8 @@ private:
     ImGuiContext* context_;
 };
 
-/// Draws what ImGui::Render left behind into the framebuffer that is bound, of this size in pixels.
+/// Draws what ImGui::Render left behind into the framebuffer that is bound, of this size in pixels. What no window
+/// covers has the colour of windows: clearing costs far less than filling.
 void draw_gui(int width, int height);
 
 }  // namespace glassbox

@@ -103,7 +103,7 @@ void Interface::lay_out(const Frame& frame) {
     ImGui::SetNextWindowSize(viewport->WorkSize);
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                       ImGuiWindowFlags_NoNav;
+                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
     ImGui::Begin("Glassbox", nullptr, flags);
     if (!ImGui::IsAnyItemActive()) state_.setup.end_drag();
     draw_toolbar(frame);

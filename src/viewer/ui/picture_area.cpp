@@ -266,7 +266,6 @@ void draw_picture(const Frame& frame) {
 
     const ImVec2 end{canvas.corner.x + size.x, canvas.corner.y + size.y};
     canvas.list.PushClipRect(canvas.corner, end, true);
-    canvas.list.AddRectFilled(canvas.corner, end, frame.palette.canvas);
     draw_layers(canvas);
     draw_grid(canvas);
     draw_numbers(canvas);

@@ -165,7 +165,6 @@ void draw_space(const Frame& frame) {
                              corner,  camera(frame.state.orbit, sight, surfaces.upright, {size.x, size.y})};
     const ImVec2 end{corner.x + size.x, corner.y + size.y};
     canvas.list.PushClipRect(corner, end, true);
-    canvas.list.AddRectFilled(corner, end, frame.palette.canvas);
     paint_sorted(canvas);
     Labels labels(canvas.list, corner, end, faded(frame.palette.canvas, .65));
     std::vector<Hint> hints;

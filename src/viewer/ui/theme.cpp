@@ -28,7 +28,7 @@ constexpr Palette on_light{
     .second = IM_COL32(170, 60, 130, 255),
     .text = IM_COL32(20, 20, 22, 255),
     .faint_text = IM_COL32(95, 95, 100, 255),
-    .canvas = IM_COL32(205, 205, 210, 255),
+    .canvas = IM_COL32(240, 240, 242, 255),
     .line = IM_COL32(140, 140, 148, 255),
     .a = IM_COL32(0, 100, 170, 255),
     .b = IM_COL32(165, 105, 0, 255),
@@ -44,7 +44,7 @@ Palette apply_theme(const Appearance& appearance, float text_size) {
     const Palette& palette = appearance.dark ? on_dark : on_light;
     style.Colors[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(palette.text);
     style.Colors[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(palette.faint_text);
-    style.Colors[ImGuiCol_WindowBg] = appearance.dark ? ImVec4(.11f, .11f, .125f, 1) : ImVec4(.94f, .94f, .95f, 1);
+    style.Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(palette.canvas);
     style.Colors[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
     style.Colors[ImGuiCol_PopupBg] = appearance.dark ? ImVec4(.15f, .15f, .17f, .98f) : ImVec4(1, 1, 1, .98f);
     style.FrameRounding = style.GrabRounding = style.TabRounding = 3;

@@ -11,7 +11,7 @@ struct Palette {
     ImU32 warning;         ///< something needs attention
     ImU32 accent, second;  ///< the pinned pixel and its ray; the second pin's
     ImU32 text, faint_text;
-    ImU32 canvas;   ///< beside the picture
+    ImU32 canvas;   ///< behind everything
     ImU32 line;     ///< of a grid, a frame
     ImU32 a, b, c;  ///< the three side products and their edges
 };
