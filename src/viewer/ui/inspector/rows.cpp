@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/ui/inspector/drawings.hpp"
+#include "viewer/ui/wrapped.hpp"
 
 namespace glassbox {
 
@@ -114,9 +115,7 @@ float label_width(std::span<const Pair<InspectorRow>> rows) {
 
 void colored(ImU32 color, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-    ImGui::PopTextWrapPos();
+    draw_wrapped(text);
     ImGui::PopStyleColor();
 }
 

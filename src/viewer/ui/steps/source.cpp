@@ -6,6 +6,7 @@
 
 #include "viewer/model/lesson.hpp"
 #include "viewer/ui/steps/parts.hpp"
+#include "viewer/ui/wrapped.hpp"
 
 namespace glassbox {
 
@@ -74,7 +75,7 @@ void draw_lesson(const Frame& frame, const Event& event, float height) {
     ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
     ImGui::TextWrapped("%s, as %s says:", lesson.name.c_str(), std::string(lesson.file->path).c_str());
     ImGui::PopStyleColor();
-    ImGui::TextWrapped("%s", lesson.text.c_str());
+    draw_wrapped(lesson.text);
     ImGui::EndChild();
 }
 

@@ -5,6 +5,7 @@
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "viewer/ui/steps/parts.hpp"
+#include "viewer/ui/wrapped.hpp"
 
 namespace glassbox {
 
@@ -14,7 +15,7 @@ using story::StoryStep;
 
 void colored_text(ImU32 color, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextWrapped("%s", text.c_str());
+    draw_wrapped(text);
     ImGui::PopStyleColor();
 }
 
@@ -32,7 +33,7 @@ void number_row(const Frame& frame, const std::string& name, const Checked& numb
     colored_text(color, name);
     ImGui::TableNextColumn();
     ImGui::PushFont(frame.fonts.mono);
-    ImGui::TextWrapped("%s", fmt::format("{:.17g}", number.value).c_str());
+    draw_wrapped(fmt::format("{:.17g}", number.value));
     ImGui::PopFont();
     const std::string truth = how_true(number);
     same_line_if_fits(ImGui::CalcTextSize(truth.c_str()).x);

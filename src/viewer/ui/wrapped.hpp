@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace glassbox {
+
+/// The text in lines at most as wide as the room that is left, broken between words only: Dear ImGui's own wrapping
+/// breaks after every dot, within 11.9973, too. A single word may be wider.
+std::string wrapped(std::string_view text);
+
+/// Draws it.
+void draw_wrapped(std::string_view text);
+
+}  // namespace glassbox
