@@ -45,7 +45,7 @@ Coloring coloring_of(const Measurement& what, const Summary& summary, const SetR
     const auto is_whole = [](double value) { return value == std::floor(value); };
     const bool counted =
         set ? is_whole(low) && is_whole(high) : !what.range || (what.scale == Scale::sequential && is_whole(high));
-    const bool diverging = what.scale == Scale::diverging && (!set || (low <= 0 && 0 <= high));
+    const bool diverging = what.scale == Scale::diverging && low <= 0 && 0 <= high;
     if (diverging) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;

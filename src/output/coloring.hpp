@@ -44,9 +44,9 @@ struct Coloring {
     Rgb operator()(double value) const;
 };
 
-/// From the fixed range, or from the least to the greatest value; for both signs, 0 is in the middle. A range that was
-/// set comes before both; if 0 is in it, it stays in the middle of a map for both signs, and otherwise one sign's map
-/// will do.
+/// From the fixed range, or from the least to the greatest value; if they have both signs, 0 is in the middle. A range
+/// that was set comes before both; if 0 is in it, it stays in the middle of a map for both signs, and otherwise one
+/// sign's map will do.
 Coloring coloring_of(const Measurement& what, const Summary& summary, const SetRange& set = {});
 
 /// How many finite values lie outside the limits.

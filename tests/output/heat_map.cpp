@@ -83,6 +83,13 @@ TEST_CASE("infinite values do not stretch the scale") {
           std::vector<Rgb>{map(0), map(0.5), map(1), map(1), map(0)});
 }
 
+TEST_CASE("diverging, but all of one sign: from the least to the greatest, or the picture would have one colour") {
+    const ColorMap map = sequential_colors();
+    CHECK(colors(diverging, row({13, 14, 15})) == std::vector<Rgb>{map(0), map(0.5), map(1)});
+    CHECK(colors(diverging, row({-15, -13})) == std::vector<Rgb>{map(0), map(1)});
+    CHECK(colors(diverging, row({0, 15}))[0] == diverging_colors()(0.5));
+}
+
 TEST_CASE("a constant has the middle's colour") {
     CHECK(colors(sequential, row({5, 5}))[0] == sequential_colors()(0.5));
     CHECK(colors(diverging, row({0, 0}))[0] == diverging_colors()(0.5));
