@@ -57,7 +57,7 @@ public:
             if (number(0, 9) == 0) press.character = static_cast<char32_t>(number(32, 0x2fff));
             viewer_.frame(pointer_, {&press, 1});
         } else if (what < 990) {
-            viewer_.resize({number(64, 1400), number(64, 900)});
+            viewer_.resize({number(64, 800), number(64, 500)});
         } else if (what < 995) {
             const auto all = measurements();
             viewer_.state().overlay.measurement =
