@@ -82,6 +82,15 @@ constexpr NameTable<NumberForm, 3> number_forms{{
 }};
 constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
+/// The same pixel, if it lies on the picture. Throws Error.
+std::optional<Pixel> on_picture(const ViewerState& state, const std::optional<Pixel>& pixel) {
+    const int width = state.scene->width, height = state.scene->height;
+    if (pixel && (pixel->x >= width || pixel->y >= height))
+        throw Error(fmt::format("({},{}) lies beside the picture; x must be from 0 to {} and y from 0 to {}", pixel->x,
+                                pixel->y, width - 1, height - 1));
+    return pixel;
+}
+
 /// What `set NAME VALUE` can set.
 struct Settable {
     std::string_view name;
@@ -228,12 +237,17 @@ ScriptStep orbit(const Words& words) {
 
 ScriptStep step(const Words& words) {
     const auto to = find_named(step_targets, words[1]);
-    const std::size_t at = to ? 0 : static_cast<std::size_t>(whole_number("step", words[1], 0, 1'000'000'000));
-    return change([to, at](ViewerState& state, const Results& results) {
+    const bool forward = words[1].starts_with('+'), relative = forward || words[1].starts_with('-');
+    constexpr int most = 1'000'000'000;
+    const int by = to ? 0 : whole_number("step", forward ? words[1].substr(1) : words[1], relative ? -most : 0, most);
+    return change([to, by, relative](ViewerState& state, const Results& results) {
         state.page = Page::steps;
-        if (!results.story) return;
+        if (!results.story) throw Error("step: no pixel is pinned; put 'pin X,Y' before");
         const std::vector<Event>& events = results.timeline;
-        state.step = to ? stepped(events, state.step, *to) : std::min(at, events.empty() ? 0 : events.size() - 1);
+        const auto last = std::max<std::int64_t>(static_cast<std::int64_t>(events.size()) - 1, 0);
+        const std::int64_t at = by + (relative ? static_cast<std::int64_t>(state.step) : 0);
+        state.step =
+            to ? stepped(events, state.step, *to) : static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, last));
     });
 }
 
@@ -270,13 +284,14 @@ const Command commands[] = {
     {"pin", "pin X,Y | none", 1, 1,
      [](const Words& w) {
          return change([at = pixel_or_none("pin", w[1])](ViewerState& state) {
-             state.pinned = at;
+             state.pinned = on_picture(state, at);
              state.step = 0;
          });
      }},
     {"compare", "compare X,Y | none", 1, 1,
      [](const Words& w) {
-         return change([at = pixel_or_none("compare", w[1])](ViewerState& state) { state.compared = at; });
+         return change(
+             [at = pixel_or_none("compare", w[1])](ViewerState& state) { state.compared = on_picture(state, at); });
      }},
     {"overlay", "overlay NAME | none", 1, 1, overlay},
     {"range", "range LOW HIGH | auto", 1, 2, range},
@@ -299,7 +314,7 @@ const Command commands[] = {
      [](const Words& w) {
          return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
      }},
-    {"step", "step N | first | back | forward | last | failed | cancellation", 1, 1, step},
+    {"step", "step N | +N | -N | first | back | forward | last | failed | cancellation", 1, 1, step},
     {"watch", "watch PIXELS", 1, 1,
      [](const Words& w) {
          return change([shown = whole_number("watch", w[1], 0, max_side * max_side)](ViewerState& state) {
@@ -332,6 +347,19 @@ ScriptStep read_line(const Words& words) {
     throw Error(fmt::format("'{}' is not a command; {}", words[0], suggestion(words[0], names)));
 }
 
+/// The same step; what goes wrong when it is taken is told with its place in the script, too.
+ScriptStep told_with(const Place& place, ScriptStep step) {
+    auto* const changes = std::get_if<ChangeState>(&step);
+    if (!changes) return step;
+    return ChangeState{[place, change = changes->change](ViewerState& state, const Results& results) {
+        try {
+            change(state, results);
+        } catch (const Error& error) {
+            throw error_at(place, error.what());
+        }
+    }};
+}
+
 }  // namespace
 
 std::vector<ScriptStep> read_script(const std::filesystem::path& file) {
@@ -343,15 +371,13 @@ std::vector<ScriptStep> read_script(const std::filesystem::path& file) {
         Words words;
         for (std::string word; words_of >> word;) words.push_back(word);
         if (words.empty()) continue;
-        const auto refused = [&](const char* what) {
-            return Error(fmt::format("{}:{}: error: {}", file.string(), number, what));
-        };
+        const Place place{file.string(), number, line.find(words[0]) + 1};
         try {
-            steps.push_back(read_line(words));
+            steps.push_back(told_with(place, read_line(words)));
         } catch (const CLI::ValidationError& error) {
-            throw refused(error.what());
+            throw error_at(place, error.what());
         } catch (const Error& error) {
-            throw refused(error.what());
+            throw error_at(place, error.what());
         }
     }
     return steps;
