@@ -14,7 +14,7 @@ if(NOT glfw3_FOUND)
 endif()
 find_package(OpenGL QUIET OPTIONAL_COMPONENTS EGL)  # without EGL, what is drawn without a display needs a hidden window
 if(NOT OPENGL_FOUND)
-  list(APPEND missing libgl-dev)
+  list(APPEND missing "libgl-dev or libopengl-dev")
 endif()
 # The system's Dear ImGui serves if it brings both backends. Else, when the viewer is asked for, a release is downloaded: not
 # with AUTO, for a download that fails would take the rest of the build with it.

@@ -10,7 +10,8 @@ void add_view(CLI::App& program) {
     command->callback([] {
         throw Error(
             "glassbox view: error: this program was built without the viewer; install libglfw3-dev, libimgui-dev, "
-            "libegl-dev and libgl-dev, or what your system calls them, and build again. Without it: render, measure "
+            "libegl-dev, libgl-dev and libopengl-dev, or what your system calls them, and build again. Without it: "
+            "render, measure "
             "and explain tell the same");
     });
 }
