@@ -41,8 +41,6 @@ void list_scenes(SceneMenu& menu) {
               [](const ListedScene& a, const ListedScene& b) { return a.file < b.file; });
 }
 
-Scene present_scene(const ViewerState& state) { return applied(*state.scene, state.setup.now()); }
-
 void reload(ViewerState& state) {
     try {
         auto scene = std::make_shared<const Scene>(read_scene(state.file));

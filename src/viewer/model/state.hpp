@@ -125,9 +125,6 @@ ViewerState opened(const std::filesystem::path& file);
 /// Lists the scenes of the menu's folder, with their titles.
 void list_scenes(SceneMenu& menu);
 
-/// The scene as the present setup has it.
-Scene present_scene(const ViewerState& state);
-
 /// Reads the file again: the new scene with the changes kept that the user made; on an error the last good one stays,
 /// and `file_error` says why.
 void reload(ViewerState& state);

@@ -11,7 +11,7 @@ namespace {
 
 [[noreturn]] void fail(const char* step) {
     throw Error(
-        fmt::format("glassbox view: OpenGL 3.3 cannot be had without a display ({} failed with EGL error {:#x}). "
+        fmt::format("glassbox view: error: OpenGL 3.3 cannot be had without a display ({} failed with EGL error {:#x}). "
                     "Install Mesa's software renderer (Debian, Ubuntu: libegl1 libgl1-mesa-dri)",
                     step, static_cast<unsigned>(eglGetError())));
 }

@@ -34,7 +34,7 @@ struct Library {
     Library() {
         if (glfwInit() == GLFW_TRUE) return;
         throw Error(
-            fmt::format("glassbox view: no display was found ({}): use --script or --screenshot, which need none, "
+            fmt::format("glassbox view: error: no display was found ({}): use --script or --screenshot, which need none, "
                         "or xvfb-run",
                         last_error()));
     }
@@ -59,7 +59,7 @@ Handle make_window(const std::string& title, WindowSize size) {
     Handle window(glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr));
     if (window != nullptr) return window;
     throw Error(
-        fmt::format("glassbox view: this display has no OpenGL 3.3 ({}): try LIBGL_ALWAYS_SOFTWARE=1, or use "
+        fmt::format("glassbox view: error: this display has no OpenGL 3.3 ({}): try LIBGL_ALWAYS_SOFTWARE=1, or use "
                     "--script or --screenshot",
                     last_error()));
 }
@@ -242,8 +242,6 @@ void Window::run(const DrawFrame& draw, const std::function<void()>& prepare) {
 }
 
 void Window::close() { glfwSetWindowShouldClose(platform_->window.get(), GLFW_TRUE); }
-
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(platform_->window.get(), title.c_str()); }
 
 void Window::wake() { glfwPostEmptyEvent(); }
 

@@ -36,8 +36,6 @@ public:
     /// Lets run() return after this frame, as if the user had closed the window.
     void close();
 
-    void set_title(const std::string& title);
-
     /// Ends a wait for events; from any thread.
     static void wake();
 

@@ -10,6 +10,7 @@
 #include "viewer/ui/inspector/drawings.hpp"
 #include "viewer/ui/inspector/rows.hpp"
 #include "viewer/ui/panels.hpp"
+#include "viewer/ui/wrapped.hpp"
 
 namespace glassbox {
 
@@ -116,11 +117,11 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
     if (!told.comparing()) {
         if (any.passed) draw_mark(palette, *any.passed);
         if (any.color) draw_swatch(palette, *any.color);
-        colored(palette.text, any.title + (any.note.empty() ? "" : ": " + any.note));
+        draw_wrapped(palette.text, any.title + (any.note.empty() ? "" : ": " + any.note));
         return;
     }
     ImGui::BeginGroup();
-    colored(palette.text, any.title);
+    draw_wrapped(palette.text, any.title);
     for (const auto& [one, color, digit] :
          {std::tuple(part.first, palette.accent, "●"), {part.second, palette.second, "◆"}}) {
         ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -128,11 +129,11 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
         ImGui::PopStyleColor();
         ImGui::SameLine(0, ImGui::GetFontSize() * .3f);
         if (!one) {
-            colored(palette.faint_text, "not listed");
+            draw_wrapped(palette.faint_text, "not listed");
             continue;
         }
         if (one->passed) draw_mark(palette, *one->passed);
-        colored(palette.text, one->note);
+        draw_wrapped(palette.text, one->note);
     }
     ImGui::EndGroup();
 }
@@ -162,7 +163,7 @@ void draw_section(const Told& told, const Pair<InspectorPart>& part) {
     const std::string label = fmt::format("{}###{}", fits ? with_note : any.title, any.title);
     if (!ImGui::CollapsingHeader(label.c_str(), any.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) return;
     ImGui::PushID(any.title.c_str());
-    if (!fits && !told.comparing() && !any.note.empty()) colored(told.frame.palette.faint_text, any.note);
+    if (!fits && !told.comparing() && !any.note.empty()) draw_wrapped(told.frame.palette.faint_text, any.note);
     draw_inside(told, part);
     ImGui::PopID();
     ImGui::Spacing();
@@ -178,9 +179,9 @@ void draw_title(const Story& story, const Palette& palette, ImU32 color, const c
     list.AddRect(low, {low.x + side, low.y + side}, color, 0, 0, std::max(2.f, side / 18));
     ImGui::SameLine();
     ImGui::BeginGroup();
-    colored(color, fmt::format("{}Pixel ({}, {})", digit, story.x, story.y));
+    draw_wrapped(color, fmt::format("{}Pixel ({}, {})", digit, story.x, story.y));
     if (story.options.stage > 1) draw_mark(palette, story.hit.has_value());
-    colored(palette.text, verdict_phrase(story));
+    draw_wrapped(palette.text, verdict_phrase(story));
     ImGui::EndGroup();
 }
 

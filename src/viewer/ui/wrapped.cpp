@@ -1,7 +1,5 @@
 #include "viewer/ui/wrapped.hpp"
 
-#include <imgui.h>
-
 #include <algorithm>
 
 namespace glassbox {
@@ -43,6 +41,12 @@ std::string wrapped(std::string_view text) {
 void draw_wrapped(std::string_view text) {
     const std::string lines = wrapped(text);
     ImGui::TextUnformatted(lines.c_str(), lines.c_str() + lines.size());
+}
+
+void draw_wrapped(ImU32 color, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    draw_wrapped(text);
+    ImGui::PopStyleColor();
 }
 
 }  // namespace glassbox

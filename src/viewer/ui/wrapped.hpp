@@ -1,4 +1,6 @@
 #pragma once
+#include <imgui.h>
+
 #include <string>
 #include <string_view>
 
@@ -10,5 +12,6 @@ std::string wrapped(std::string_view text);
 
 /// Draws it.
 void draw_wrapped(std::string_view text);
+void draw_wrapped(ImU32 color, std::string_view text);
 
 }  // namespace glassbox

@@ -20,7 +20,7 @@ public:
         if (!first_ && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(text.c_str()).x <= right_)
             ImGui::SameLine(0, gap);
         first_ = false;
-        colored(color, text);
+        draw_wrapped(color, text);
     }
     /// Further items follow on this line.
     void begun() { first_ = false; }
@@ -113,12 +113,6 @@ float label_width(std::span<const Pair<InspectorRow>> rows) {
 
 }  // namespace
 
-void colored(ImU32 color, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    draw_wrapped(text);
-    ImGui::PopStyleColor();
-}
-
 void draw_mark(const Palette& palette, bool passed) {
     ImGui::PushStyleColor(ImGuiCol_Text, passed ? palette.passed : palette.failed);
     ImGui::TextUnformatted(passed ? "✓" : "✗");
@@ -154,7 +148,7 @@ void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, boo
         ImGui::PushID(label.c_str());
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        colored(color_of(frame.palette, label), label);
+        draw_wrapped(color_of(frame.palette, label), label);
         if (!below) {
             ImGui::TableNextColumn();
             draw_cell(frame, first, false);

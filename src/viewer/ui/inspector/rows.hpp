@@ -27,9 +27,6 @@ std::vector<Pair<T>> paired(std::span<const T> first, std::span<const T> second,
     return pairs;
 }
 
-/// Text that wraps, in a colour.
-void colored(ImU32 color, const std::string& text);
-
 /// "✓ " or "✗ ", and the cursor behind it on the same line.
 void draw_mark(const Palette& palette, bool passed);
 

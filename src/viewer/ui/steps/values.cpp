@@ -13,12 +13,6 @@ namespace {
 
 using story::StoryStep;
 
-void colored_text(ImU32 color, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    draw_wrapped(text);
-    ImGui::PopStyleColor();
-}
-
 /// The last line of a number: how far it can be, and is, from the truth.
 std::string how_true(const Checked& number) {
     std::string text = bound(number.error);
@@ -30,14 +24,14 @@ std::string how_true(const Checked& number) {
 void number_row(const Frame& frame, const std::string& name, const Checked& number, ImU32 color) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    colored_text(color, name);
+    draw_wrapped(color, name);
     ImGui::TableNextColumn();
     ImGui::PushFont(frame.fonts.mono);
     draw_wrapped(fmt::format("{:.17g}", number.value));
     ImGui::PopFont();
     const std::string truth = how_true(number);
     same_line_if_fits(ImGui::CalcTextSize(truth.c_str()).x);
-    colored_text(frame.palette.faint_text, truth);
+    draw_wrapped(frame.palette.faint_text, truth);
 }
 
 /// What a comparison says, and whether that is true.
@@ -48,7 +42,7 @@ void draw_answer(const Frame& frame, const Checked& answer) {
     else if (answer.truth != answer.value) text += holds ? ", but truly no" : ", but truly yes";
     else
         text += answer.error == 0 ? ", proven by the error bounds" : ", truly so, but the error bounds cannot prove it";
-    colored_text(holds ? frame.palette.passed : frame.palette.failed, text);
+    draw_wrapped(holds ? frame.palette.passed : frame.palette.failed, text);
 }
 
 void draw_step(const Frame& frame, const Event& event) {
@@ -66,7 +60,7 @@ void draw_step(const Frame& frame, const Event& event) {
     }
     if (compares) draw_answer(frame, told.checked);
     if (event.cancellation)
-        colored_text(frame.palette.warning, fmt::format("⚠ cancellation: {:.1f} bits lost beyond those of the operands",
+        draw_wrapped(frame.palette.warning, fmt::format("⚠ cancellation: {:.1f} bits lost beyond those of the operands",
                                                         bits_lost_by(steps, told)));
 }
 
@@ -75,7 +69,7 @@ void draw_step(const Frame& frame, const Event& event) {
 void draw_values(const Frame& frame, const Event& event) {
     const Sign sign = sign_of(frame, event);
     const std::string& text = event.formula.empty() ? event.what : event.formula;
-    colored_text(sign.color, (*sign.text ? std::string(sign.text) + ' ' : "") + text);
+    draw_wrapped(sign.color, (*sign.text ? std::string(sign.text) + ' ' : "") + text);
     if (event.place) draw_step(frame, event);
 }
 
