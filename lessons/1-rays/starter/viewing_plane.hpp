@@ -1,0 +1,69 @@
+#pragma once
+#include <numbers>
+
+#include <not_written.hpp>
+#include <ray.hpp>
+
+namespace glassbox {
+
+/// The plane that the picture is on. Column j counts to the right, row i upwards, both from the bottom-left pixel's 0.
+template <class Real>
+struct ViewingPlane {
+    Vec3<Real> corner;  ///< the point of pixel (0, 0)
+    Vec3<Real> right;   ///< from a pixel to the next on its right
+    Vec3<Real> up;      ///< from a pixel to the next above
+};
+
+/// The point of pixel column j and row i.
+template <class Real>
+Vec3<Real> point(const ViewingPlane<Real>& plane, const std::type_identity_t<Real>& j,
+                 const std::type_identity_t<Real>& i) {
+    return not_written<Vec3<Real>>("point");
+}
+
+/// Rays that start on the plane and all run one way (the paper's view).
+template <class Real>
+struct Parallel {
+    ViewingPlane<Real> plane;
+    Vec3<Real> direction;
+};
+
+/// Rays that start in the eye and run through the plane.
+template <class Real>
+struct Pinhole {
+    ViewingPlane<Real> plane;
+    Vec3<Real> eye;
+};
+
+/// The ray of pixel column j and row i.
+template <class Real>
+Ray<Real> pixel_ray(const Parallel<Real>& view, const std::type_identity_t<Real>& j,
+                    const std::type_identity_t<Real>& i) {
+    return not_written<Ray<Real>>("pixel_ray of a parallel view");
+}
+
+/// The ray of pixel column j and row i; t = 1 is where it crosses the plane.
+template <class Real>
+Ray<Real> pixel_ray(const Pinhole<Real>& view, const std::type_identity_t<Real>& j,
+                    const std::type_identity_t<Real>& i) {
+    return not_written<Ray<Real>>("pixel_ray of a pinhole view");
+}
+
+/// A pinhole view whose plane lies at distance 1 before the eye and is seen under `field_of_view` (vertical, degrees,
+/// between 0 and 180). Each ray passes through its pixel's middle. `look_at - eye` and `up` must not be parallel.
+template <class Real>
+Pinhole<Real> looking(const Vec3<Real>& eye, const Vec3<Real>& look_at, const Vec3<Real>& up,
+                      const std::type_identity_t<Real>& field_of_view, int width, int height) {
+    using std::tan;
+    const Vec3<Real> forward = unit(look_at - eye);
+    const Vec3<Real> rightward = unit(cross(forward, up));
+    const Vec3<Real> upward = cross(rightward, forward);
+    const Real pixel = 2 * tan(field_of_view / 2 * (std::numbers::pi_v<Real> / 180)) / static_cast<Real>(height);
+    const Vec3<Real> right = pixel * rightward;
+    const Vec3<Real> above = pixel * upward;
+    const Vec3<Real> corner =
+        eye + forward - static_cast<Real>(width - 1) / 2 * right - static_cast<Real>(height - 1) / 2 * above;
+    return {{corner, right, above}, eye};
+}
+
+}  // namespace glassbox
