@@ -49,6 +49,59 @@ TEST_CASE_TEMPLATE("of a light only the direction counts, and its intensity", Re
     }
 }
 
+TEST_CASE_TEMPLATE("the positive part of a number is itself or 0, and 0 for not a number", Real, EVERY_SCALAR) {
+    CHECK_EXACT(positive_part(Real(0.25)), Real(0.25));
+    CHECK_EXACT(positive_part(Real(-0.25)), Real(0));
+    CHECK_EXACT(positive_part(Real(0)), Real(0));
+    CHECK_EXACT(positive_part(std::numeric_limits<Real>::infinity()), std::numeric_limits<Real>::infinity());
+    CHECK_EXACT(positive_part(std::numeric_limits<Real>::quiet_NaN()), Real(0));
+}
+
+TEST_CASE_TEMPLATE("the half vector lies midway, with length 1; between opposites there is none", Real, EVERY_SCALAR) {
+    CHECK_EXACT(halfway(up<Real>, up<Real>), up<Real>);
+    CHECK_EXACT(halfway(slanted<Real>, mirrored<Real>), up<Real>);
+    CHECK_EXACT(halfway(slanted<Real>, -slanted<Real>), Vec3<Real>{});
+    Dice dice;
+    for (int n = 0; n < 200; ++n) {
+        const Vec3<Real> a = unit(dice.vector(Real(1))), b = unit(dice.vector(Real(1)));
+        if (length(a + b) < Real(0.1)) continue;
+        const Vec3<Real> h = halfway(a, b);
+        CHECK_WITHIN(length(h), Real(1), 4 * epsilon<Real>);
+        CHECK_WITHIN(dot(h, a), dot(h, b), 40 * epsilon<Real>);  // a + b down to 0.1 long: up to ten times the rounding
+    }
+}
+
+TEST_CASE_TEMPLATE("a normal is turned to the side that the viewer sees", Real, EVERY_SCALAR) {
+    CHECK_EXACT(towards(up<Real>, up<Real>), up<Real>);
+    CHECK_EXACT(towards(up<Real>, -up<Real>), up<Real>);
+    CHECK_EXACT(towards(slanted<Real>, -up<Real>), up<Real>);              // 0.8 of -up: away
+    CHECK_EXACT(towards(slanted<Real>, -mirrored<Real>), mirrored<Real>);  // (0.6, 0, -0.8): 0.36 - 0.64 is away, too
+    CHECK_EXACT(towards(Vec3<Real>{1, 0, 0}, up<Real>), up<Real>);         // seen from the side: as it is
+}
+
+TEST_CASE_TEMPLATE("Blinn: the cosine between the normal and the half vector", Real, EVERY_SCALAR) {
+    Silent silent;
+    // light and viewer on both sides of the normal: h = n
+    CHECK_ULPS(highlight_blinn(up<Real>, slanted<Real>, mirrored<Real>, silent), Real(1), 2);
+    // h = unit(0.6, 0, 1.8) = (1, 0, 3)/sqrt 10
+    CHECK_ULPS(highlight_blinn(up<Real>, slanted<Real>, up<Real>, silent), std::sqrt(Real(9) / 10), 4);
+    // h = up, and the cosine between up and slanted is 0.8
+    CHECK_ULPS(highlight_blinn(slanted<Real>, up<Real>, up<Real>, silent), Real(4) / 5, 2);
+    // seen from behind it is negative: what shades cuts it off
+    CHECK_ULPS(highlight_blinn(-up<Real>, slanted<Real>, mirrored<Real>, silent), Real(-1), 2);
+}
+
+TEST_CASE_TEMPLATE("Phong: the cosine between the viewer and the mirrored light", Real, EVERY_SCALAR) {
+    Silent silent;
+    CHECK_ULPS(highlight_phong(up<Real>, slanted<Real>, mirrored<Real>, silent), Real(1), 4);
+    // from straight above: the mirrored light is (-0.6, 0, 0.8)
+    CHECK_ULPS(highlight_phong(up<Real>, slanted<Real>, up<Real>, silent), Real(4) / 5, 4);
+    // light along the normal comes straight back
+    CHECK_ULPS(highlight_phong(slanted<Real>, slanted<Real>, up<Real>, silent), Real(4) / 5, 4);
+    // and away from the mirrored light
+    CHECK_ULPS(highlight_phong(up<Real>, slanted<Real>, -mirrored<Real>, silent), Real(-1), 4);
+}
+
 TEST_CASE_TEMPLATE("diffuse light is I k_d n.l times the surface's own colour", Real, EVERY_SCALAR) {
     for (const ShadingModel model : models) {
         Shading<Real> shading = full<Real>(model, 1);
@@ -95,20 +148,6 @@ TEST_CASE_TEMPLATE("ambient light is k_a of a warm pink, whatever the surface, t
     }
 }
 
-TEST_CASE_TEMPLATE("the half vector lies midway, with length 1; between opposites there is none", Real, EVERY_SCALAR) {
-    CHECK_EXACT(halfway(up<Real>, up<Real>), up<Real>);
-    CHECK_EXACT(halfway(slanted<Real>, mirrored<Real>), up<Real>);
-    CHECK_EXACT(halfway(slanted<Real>, -slanted<Real>), Vec3<Real>{});
-    Dice dice;
-    for (int n = 0; n < 200; ++n) {
-        const Vec3<Real> a = unit(dice.vector(Real(1))), b = unit(dice.vector(Real(1)));
-        if (length(a + b) < Real(0.1)) continue;
-        const Vec3<Real> h = halfway(a, b);
-        CHECK_WITHIN(length(h), Real(1), 4 * epsilon<Real>);
-        CHECK_WITHIN(dot(h, a), dot(h, b), 40 * epsilon<Real>);  // a + b down to 0.1 long: up to ten times the rounding
-    }
-}
-
 TEST_CASE_TEMPLATE("opposite light and view make no highlight, and no NaN", Real, EVERY_SCALAR) {
     const Light<Real> light = directional_light(Vec3<Real>{3, 0, 4}, 1);
     const Terms<Real> terms = shaded(up<Real>, -light.l, color<Real>, light, full<Real>(ShadingModel::blinn_phong, 15));
@@ -142,6 +181,17 @@ TEST_CASE_TEMPLATE("elsewhere Blinn's highlight is the wider one: it falls with 
     CHECK_EXACT(phong.specular.z, phong.specular.x);
 }
 
+TEST_CASE_TEMPLATE("a negative cosine makes no highlight, to an even power neither", Real, EVERY_SCALAR) {
+    // Light from below. Phong, seen from above: the mirrored light is 2(-0.8)up - (0.6, 0, -0.8) = (-0.6, 0, -0.8), its
+    // cosine to r is -0.8. Blinn, seen along the surface: h = unit((0.6, 0, -0.8) + (-1, 0, 0)) = unit(-0.4, 0, -0.8).
+    const Light<Real> light = directional_light(Vec3<Real>{3, 0, -4}, 1);
+    const Vec3<Real> along{-1, 0, 0};
+    const Terms<Real> phong = shaded(up<Real>, up<Real>, color<Real>, light, full<Real>(ShadingModel::phong, 2));
+    const Terms<Real> blinn = shaded(up<Real>, along, color<Real>, light, full<Real>(ShadingModel::blinn_phong, 2));
+    CHECK_EXACT(phong.specular, Vec3<Real>{});
+    CHECK_EXACT(blinn.specular, Vec3<Real>{});
+}
+
 TEST_CASE_TEMPLATE("the highlight grows with I and k_s, and is the light's colour, not the surface's", Real,
                    EVERY_SCALAR) {
     for (const ShadingModel model : models) {
@@ -154,11 +204,8 @@ TEST_CASE_TEMPLATE("the highlight grows with I and k_s, and is the light's colou
     }
 }
 
-TEST_CASE_TEMPLATE("a normal that looks away is turned to the viewer, but not by the paper's program", Real,
+TEST_CASE_TEMPLATE("a surface seen from behind is lit as from the front, but not by the paper's program", Real,
                    EVERY_SCALAR) {
-    CHECK_EXACT(towards(up<Real>, up<Real>), up<Real>);
-    CHECK_EXACT(towards(up<Real>, -up<Real>), up<Real>);
-    CHECK_EXACT(towards(slanted<Real>, -up<Real>), up<Real>);
     const Light<Real> light = directional_light(up<Real>, 1);
     for (const ShadingModel model : {ShadingModel::phong, ShadingModel::blinn_phong}) {
         const Terms<Real> back = shaded(-up<Real>, up<Real>, color<Real>, light, full<Real>(model, 15));
@@ -199,6 +246,50 @@ TEST_CASE_TEMPLATE("the front of the paper's green sphere, in its final picture:
     CHECK(int{pixel.red} == 72);
     CHECK(int{pixel.green} == 255);
     CHECK(int{pixel.blue} == 41);
+}
+
+namespace {
+
+/// A probe that keeps what it is told, the last of each.
+struct Kept {
+    double n_l = 0, n_r = 0, n_h = 0, r_m = 0, ambient = 0, diffuse = 0, specular = 0;
+    Vec3<double> h, reflection;
+
+    template <class What, class... Values>
+    void operator()(What, const Values&...) {}
+    void operator()(told::NormalLight, double value) { n_l = value; }
+    void operator()(told::NormalViewer, double value) { n_r = value; }
+    void operator()(told::HalfVector, const Vec3<double>& value) { h = value; }
+    void operator()(told::NormalHalf, double value) { n_h = value; }
+    void operator()(told::Reflection, const Vec3<double>& value, double cosine) { reflection = value, r_m = cosine; }
+    void operator()(told::Ambient, double value) { ambient = value; }
+    void operator()(told::DiffuseTerm, double value) { diffuse = value; }
+    void operator()(told::SpecularTerm, double value) { specular = value; }
+};
+
+}  // namespace
+
+TEST_CASE("shading tells its probe what it computes, so that it can be measured") {
+    // Light from `slanted`, seen from `mirrored`, n = up: n.l = n.r = 0.8, h = up, the mirrored light is r. With I =
+    // 0.5 the diffuse factor is 0.5 * 0.5 * 0.8 = 0.2, the specular one 0.5 * 0.25 * 1.
+    const Light<double> light = directional_light(Vec3<double>{3, 0, 4}, 0.5);
+    Shading<double> shading = full<double>(ShadingModel::blinn_phong, 2);
+    shading.k_a = 0.75, shading.k_d = 0.5, shading.k_s = 0.25;
+    Kept blinn, phong;
+    shade(up<double>, mirrored<double>, color<double>, light, shading, blinn);
+    shading.model = ShadingModel::phong;
+    shade(up<double>, mirrored<double>, color<double>, light, shading, phong);
+    for (const Kept& kept : {blinn, phong}) {
+        CHECK_ULPS(kept.n_l, 0.8, 4);
+        CHECK_ULPS(kept.n_r, 0.8, 4);
+        CHECK_EXACT(kept.ambient, 0.75);
+        CHECK_ULPS(kept.diffuse, 0.2, 4);
+        CHECK_ULPS(kept.specular, 0.125, 16);
+    }
+    CHECK_ULPS(blinn.h, up<double>, 2);
+    CHECK_ULPS(blinn.n_h, 1.0, 2);
+    CHECK_ULPS(phong.reflection, mirrored<double>, 4);
+    CHECK_ULPS(phong.r_m, 1.0, 4);
 }
 
 TEST_CASE_TEMPLATE("a number becomes a byte: cut to 0 … 255, and NaN to 0", Real, EVERY_SCALAR) {
@@ -243,7 +334,6 @@ TEST_CASE_TEMPLATE("a surface without a normal gets ambient light only, never Na
     // unit(0) is not a number, as of a triangle without area; max(0, NaN) is 0 here
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Light<Real> light = directional_light(up<Real>, 1);
-    CHECK_EXACT(positive_part(nan), Real(0));
     for (const ShadingModel model : models) {
         const Terms<Real> terms = shaded({nan, nan, nan}, up<Real>, color<Real>, light, full<Real>(model, 15));
         CHECK_EXACT(terms.diffuse, Vec3<Real>{});
