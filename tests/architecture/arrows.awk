@@ -39,9 +39,9 @@ function check_stage(N, name, quoted) {
     }
 }
 
-# A lesson may also include what lies in its own folder, and picture.hpp, which all lessons share.
+# A lesson may also include what lies in its own folder, and what all lessons share.
 function check_lesson(N, name, quoted) {
-    if (quoted ? name !~ "/" : name == "picture.hpp") return
+    if (quoted ? name !~ "/" : name == "picture.hpp" || name == "not_written.hpp") return
     check_stage(N, name, quoted)
 }
 
