@@ -58,6 +58,24 @@ std::vector<Turn<Real>> some_turns(Dice& dice, int count) {
 
 }  // namespace
 
+TEST_CASE_TEMPLATE("a rotation takes a vector's x, y and z along its columns", Real, EVERY_SCALAR) {
+    // No rotation, but easy to follow: 1 (1, 2, 3) + 10 (4, 5, 6) + 100 (7, 8, 9)
+    const Rotation<Real> R{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    CHECK_EXACT(R * (Vec3<Real>{1, 10, 100}), (Vec3<Real>{741, 852, 963}));
+    CHECK_EXACT(R * y<Real>, (Vec3<Real>{4, 5, 6}));
+    CHECK_EXACT(Rotation<Real>{} * (Vec3<Real>{1, 10, 100}), (Vec3<Real>{1, 10, 100}));
+}
+
+TEST_CASE_TEMPLATE("R * S is first S, then R", Real, EVERY_SCALAR) {
+    // S takes x to y (a quarter turn about z), R takes y to z (one about x): together x goes to z, and y, which S takes
+    // to -x, to -x; z, which S leaves, to -y.
+    const Rotation<Real> S{y<Real>, -x<Real>, z<Real>}, R{x<Real>, z<Real>, -y<Real>};
+    const Rotation<Real> both = R * S;
+    CHECK_EXACT(both.x, z<Real>);
+    CHECK_EXACT(both.y, -x<Real>);
+    CHECK_EXACT(both.z, -y<Real>);
+}
+
 TEST_CASE_TEMPLATE("key d: 10 degrees about z take x towards y, and y away from x", Real, EVERY_SCALAR) {
     // counter-clockwise as seen from z's tip, where x points right and y up
     const Rotation<Real> d = turn<Real>(Axis::z, 10);
@@ -186,6 +204,17 @@ TEST_CASE_TEMPLATE("points turn about the pivot, which stays", Real, EVERY_SCALA
     CHECK_EXACT(turned(pivot + 5 * x<Real>, turn<Real>(Axis::z, 90), pivot), pivot + 5 * y<Real>);
     CHECK_EXACT(turned(pivot + 5 * z<Real>, turn<Real>(Axis::y, 90), pivot), pivot + 5 * x<Real>);
     CHECK_EXACT(turned(Vec3<Real>{500, 0, 0}, turn<Real>(Axis::z, 90), Vec3<Real>{}), (Vec3<Real>{0, 500, 0}));
+}
+
+TEST_CASE_TEMPLATE("a plane's corner turns about the pivot; its two steps only turn", Real, EVERY_SCALAR) {
+    // The corner is 500 - 100 = 400 along x from the pivot and goes to 400 along y from it. A step from pixel to pixel
+    // is the same wherever the pivot is: y goes to -x, z stays.
+    const Vec3<Real> pivot{100, 20, 30};
+    const ViewingPlane<Real> plane{{500, 20, 40}, {0, 2, 0}, {0, 0, 3}};
+    const ViewingPlane<Real> got = turned(plane, turn<Real>(Axis::z, 90), pivot);
+    CHECK_EXACT(got.corner, (Vec3<Real>{100, 420, 40}));
+    CHECK_EXACT(got.right, (Vec3<Real>{-2, 0, 0}));
+    CHECK_EXACT(got.up, (Vec3<Real>{0, 0, 3}));
 }
 
 TEST_CASE_TEMPLATE("a quarter turn of the paper's view: it looks along -y, from y = 500", Real, EVERY_SCALAR) {

@@ -1,0 +1,92 @@
+#pragma once
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <not_written.hpp>
+#include <viewing_plane.hpp>
+
+namespace glassbox {
+
+enum class Axis { x, y, z };
+
+/// A turn of the viewing plane about an axis of the world, counter-clockwise as seen from the axis's tip, in degrees.
+template <class Real>
+struct Turn {
+    Axis axis;
+    Real degrees;
+
+    constexpr bool operator==(const Turn&) const = default;
+};
+
+/// A rotation: where it takes the unit vectors of the three axes (the columns of its matrix).
+template <class Real>
+struct Rotation {
+    Vec3<Real> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+};
+
+template <class Real>
+Vec3<Real> operator*(const Rotation<Real>& R, const Vec3<Real>& v) {
+    return not_written<Vec3<Real>>("Rotation * vector");
+}
+
+/// First S, then R.
+template <class Real>
+Rotation<Real> operator*(const Rotation<Real>& R, const Rotation<Real>& S) {
+    return not_written<Rotation<Real>>("Rotation * Rotation");
+}
+
+/// (cos, sin) of an angle in degrees; exact at the quarter turns, which radians cannot name.
+template <class Real>
+std::pair<Real, Real> cos_sin(const Real& degrees) {
+    using std::cos, std::sin, std::remquo;
+    int quarter = 0;
+    const Real rest = remquo(degrees, Real(90), &quarter) * (std::numbers::pi_v<Real> / 180);
+    const Real c = cos(rest), s = sin(rest);
+    switch (quarter & 3) {
+        case 0:
+            return {c, s};
+        case 1:
+            return {-s, c};
+        case 2:
+            return {-c, -s};
+        default:
+            return {s, -c};
+    }
+}
+
+/// The rotation that a turn is.
+template <class Real>
+Rotation<Real> rotation(const Turn<Real>& turn) {
+    return not_written<Rotation<Real>>("rotation of a turn");
+}
+
+/// All turns in the order given, each about an axis of the world, rebuilt from the start: rotating the points again and
+/// again instead would add up the rounding of every step. `turns` is any range of Turn<Real>.
+template <class Real, class Turns>
+Rotation<Real> rotation(const Turns& turns) {
+    return not_written<Rotation<Real>>("rotation of turns");
+}
+
+/// A point turned about the pivot.
+template <class Real>
+Vec3<Real> turned(const Vec3<Real>& point, const Rotation<Real>& R, const Vec3<Real>& pivot) {
+    return not_written<Vec3<Real>>("turned point");
+}
+
+template <class Real>
+ViewingPlane<Real> turned(const ViewingPlane<Real>& plane, const Rotation<Real>& R, const Vec3<Real>& pivot) {
+    return not_written<ViewingPlane<Real>>("turned plane");
+}
+
+template <class Real>
+Parallel<Real> turned(const Parallel<Real>& view, const Rotation<Real>& R, const Vec3<Real>& pivot) {
+    return not_written<Parallel<Real>>("turned parallel view");
+}
+
+template <class Real>
+Pinhole<Real> turned(const Pinhole<Real>& view, const Rotation<Real>& R, const Vec3<Real>& pivot) {
+    return not_written<Pinhole<Real>>("turned pinhole view");
+}
+
+}  // namespace glassbox
