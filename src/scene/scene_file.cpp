@@ -19,26 +19,6 @@ namespace {
 
 constexpr Rgb light_grey{200, 200, 200};
 
-toml::table parse(std::string_view text, const std::string& file) {
-    if (const auto offset = first_not_utf8(text)) {
-        const std::string_view before = text.substr(0, *offset);
-        const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
-        const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0 on the first line
-        throw error_at({file, line, *offset - line_start + 1},
-                       "this is not UTF-8; a scene must be a text file in UTF-8");
-    }
-    try {
-        return toml::parse(text, file);
-    } catch (const toml::parse_error& error) {
-        const auto where = error.source().begin;
-        std::string_view description = error.description();
-        if (description.starts_with("Error ")) description.remove_prefix(6);
-        std::string message(description);
-        std::replace(message.begin(), message.end(), '\n', ' ');
-        throw error_at({file, where.line, where.column}, "this is not TOML: " + message);
-    }
-}
-
 int side(const Value& value) { return whole_number(value, 1, max_side); }
 
 Vec3<double> light_color(const Value& value) { return to_vec3<double>(color(value)); }
@@ -148,7 +128,7 @@ Mesh read_mesh(const Section& mesh, const std::filesystem::path& folder) {
 
 Scene read_scene(const std::filesystem::path& path) {
     const std::string file = path.string();
-    const toml::table document = parse(read_text(path), file);
+    const toml::table document = parse_toml(read_text(path), file, "a scene");
     const Section top(document, "the scene", file);
     top.expect_keys({"title", "image", "view", "light", "shading", "sphere", "triangle", "mesh"});
 

@@ -45,6 +45,26 @@ std::string_view plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 }  // namespace
 
+toml::table parse_toml(std::string_view text, const std::string& file, std::string_view what) {
+    if (const auto offset = first_not_utf8(text)) {
+        const std::string_view before = text.substr(0, *offset);
+        const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+        const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0 on the first line
+        throw error_at({file, line, *offset - line_start + 1},
+                       fmt::format("this is not UTF-8; {} must be a text file in UTF-8", what));
+    }
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        const auto where = error.source().begin;
+        std::string_view description = error.description();
+        if (description.starts_with("Error ")) description.remove_prefix(6);
+        std::string message(description);
+        std::replace(message.begin(), message.end(), '\n', ' ');
+        throw error_at({file, where.line, where.column}, "this is not TOML: " + message);
+    }
+}
+
 Place place(const Value& value) { return place(value.node->source(), value.file); }
 
 Error wrong(const Value& value, const std::string& complaint) {

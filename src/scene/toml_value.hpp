@@ -21,6 +21,10 @@
 
 namespace glassbox {
 
+/// What a TOML file says. Throws Error at the place that is not TOML, or not UTF-8; `what` is what the file should be:
+/// "a scene".
+toml::table parse_toml(std::string_view text, const std::string& file, std::string_view what);
+
 /// A value in a TOML file, and what it is called when something is wrong with it: "radius", "center's x".
 struct Value {
     const toml::node* node;
