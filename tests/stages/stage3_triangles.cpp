@@ -26,6 +26,20 @@ struct DeficitProbe {
     void operator()(told::Deficit, const Real& s, const Real& d) { sum = s, deficit = d; }
 };
 
+/// A probe that keeps what Plücker's test tells, and counts how often.
+template <class Real>
+struct TriangleProbe {
+    int tested = 0, corners = 0, sides = 0;
+    Vec3<Real> A, D;
+    Real a{}, b{}, c{};
+
+    template <class What, class... Values>
+    void operator()(What, const Values&...) {}
+    void operator()(told::Tested) { ++tested; }
+    void operator()(told::Corners, const Triangle<Real>& seen, const Vec3<Real>& d) { ++corners, A = seen.A, D = d; }
+    void operator()(told::Sides, const Real& x, const Real& y, const Real& z) { ++sides, a = x, b = y, c = z; }
+};
+
 template <class Real>
 Triangle<Real> scaled(Real size, const Triangle<Real>& triangle) {
     return {size * triangle.A, size * triangle.B, size * triangle.C};
@@ -97,6 +111,38 @@ TEST_CASE_TEMPLATE("an edge run the other way has the opposite side product, to 
     }
 }
 
+TEST_CASE_TEMPLATE("the normal: counter-clockwise vertices look at you", Real, EVERY_SCALAR) {
+    // the paper's example: (0,1,0), (0,0,0), (1,0,0) has its normal along z:
+    // (B - A) x (C - A) = (0,-1,0) x (1,-1,0) = (0, 0, 0*(-1) - (-1)*1) = (0, 0, 1)
+    const Triangle<Real> example{{0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
+    for (const Real size : sizes<Real>) {
+        // |n|^2 is of the size's fourth power, and float ends at 3e38
+        if (std::is_same_v<Real, float> && size > Real(1e9)) continue;
+        CHECK_EXACT(normal(scaled(size, example)), (Vec3<Real>{0, 0, 1}));
+        CHECK_EXACT(normal(other_winding(scaled(size, example))), (Vec3<Real>{0, 0, -1}));
+    }
+    const Vec3<Real> none = normal(Triangle<Real>{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
+    CHECK(std::isnan(none.x));
+}
+
+TEST_CASE_TEMPLATE("the normal: it does not change when the triangle moves, and stands at right angles to all edges",
+                   Real, EVERY_SCALAR) {
+    // (B - A) x (C - A) = (4,-3,1) x (1,4,-5) = (15 - 4, 1 + 20, 16 + 3) = (11, 21, 19), of length sqrt 923
+    const Vec3<Real> expected = Vec3<Real>{11, 21, 19} / std::sqrt(Real(923));
+    CHECK_ULPS(normal(slanting<Real>), expected, 2);
+    const auto& [A, B, C] = slanting<Real>;
+    const Vec3<Real> move{1000, -2000, 3000};
+    CHECK_ULPS(normal(Triangle<Real>{A + move, B + move, C + move}), expected, 2);
+}
+
+TEST_CASE_TEMPLATE("seen from P, a triangle is where P is the origin", Real, EVERY_SCALAR) {
+    // (1,2,3) - (10,11,12), (5,-1,4) - (10,11,12), (2,6,-2) - (10,11,12)
+    const Triangle<Real> seen = seen_from(start<Real>, slanting<Real>);
+    CHECK_EXACT(seen.A, (Vec3<Real>{-9, -9, -9}));
+    CHECK_EXACT(seen.B, (Vec3<Real>{-5, -12, -8}));
+    CHECK_EXACT(seen.C, (Vec3<Real>{-8, -5, -14}));
+}
+
 TEST_CASE_TEMPLATE("each side is the weight of the vertex opposite: at a vertex its own alone is not 0", Real,
                    EVERY_SCALAR) {
     // All numbers are whole and below 2^24, so the zeros are exact.
@@ -129,19 +175,64 @@ TEST_CASE_TEMPLATE("on an edge the opposite weight is 0, and the others divide i
 }
 
 TEST_CASE_TEMPLATE("inside, the sides stand to each other as the weights of the point hit", Real, EVERY_SCALAR) {
-    const Vec3<Real> D = towards_weights<Real>(1, 2, 3);
-    const Triangle<Real> seen = seen_from(start<Real>, slanting<Real>);
-    const Sides<Real> s = sides(D, seen);
+    const Sides<Real> s = sides(towards_weights<Real>(1, 2, 3), seen_from(start<Real>, slanting<Real>));
     CHECK_EXACT(s.b, 2 * s.a);
     CHECK_EXACT(s.c, 3 * s.a);
-    // D is 6 times the way to the point: t = 1/6. (Möller and Trumbore's t, and ours, divide once, after a few sums.)
-    CHECK_ULPS(plane_t(D, seen, s), Real(1) / 6, 4);
-    for (const Crossing<Real>& crossing : {shoot({start<Real>, D}, slanting<Real>, Pluecker{}),
-                                           shoot({start<Real>, D}, slanting<Real>, MoellerTrumbore{}),
-                                           shoot({start<Real>, D}, slanting<Real>, Tolerance{})}) {
+}
+
+TEST_CASE_TEMPLATE("plane_t: with the triangle in the plane z = 8 a ray along z meets it at 8 / D.z", Real,
+                   EVERY_SCALAR) {
+    // all corners are equally far along D: whatever the weights, their mean is, too
+    const Triangle<Real> seen{{-1, -1, 8}, {3, -1, 8}, {-1, 3, 8}};
+    CHECK_EXACT(plane_t(Vec3<Real>{0, 0, 1}, seen, Sides<Real>{1, 1, 1}), Real(8));
+    CHECK_EXACT(plane_t(Vec3<Real>{0, 0, 1}, seen, Sides<Real>{-2, -1, -1}), Real(8));
+    CHECK_EXACT(plane_t(Vec3<Real>{0, 0, 2}, seen, Sides<Real>{1, 2, 1}), Real(4));
+    CHECK_EXACT(plane_t(Vec3<Real>{0, 0, -2}, seen, Sides<Real>{1, 2, 1}), Real(-4));
+}
+
+TEST_CASE_TEMPLATE("plane_t: each weight pulls towards its own vertex", Real, EVERY_SCALAR) {
+    // corners at 2, 4 and 8 along D: (1*2 + 2*4 + 1*8) / 4 = 4.5; each alone gives its own
+    const Triangle<Real> seen{{5, 1, 2}, {-7, 3, 4}, {6, 6, 8}};
+    const Vec3<Real> D{0, 0, 1};
+    CHECK_EXACT(plane_t(D, seen, Sides<Real>{1, 2, 1}), Real(4.5));
+    CHECK_EXACT(plane_t(D, seen, Sides<Real>{3, 0, 0}), Real(2));
+    CHECK_EXACT(plane_t(D, seen, Sides<Real>{0, -3, 0}), Real(4));
+    CHECK_EXACT(plane_t(D, seen, Sides<Real>{0, 0, 5}), Real(8));
+}
+
+TEST_CASE_TEMPLATE("plane_t: of the point with weights 1, 2, 3, by the sides of its own ray", Real, EVERY_SCALAR) {
+    // D is 6 times the way to the point: t = 1/6, after one division and a few sums
+    const Vec3<Real> D = towards_weights<Real>(1, 2, 3);
+    const Triangle<Real> seen = seen_from(start<Real>, slanting<Real>);
+    CHECK_ULPS(plane_t(D, seen, sides(D, seen)), Real(1) / 6, 4);
+}
+
+TEST_CASE_TEMPLATE("the three rules agree about the point with weights 1, 2, 3", Real, EVERY_SCALAR) {
+    const Ray<Real> ray{start<Real>, towards_weights<Real>(1, 2, 3)};
+    for (const Crossing<Real>& crossing :
+         {shoot(ray, slanting<Real>, Pluecker{}), shoot(ray, slanting<Real>, MoellerTrumbore{}),
+          shoot(ray, slanting<Real>, Tolerance{})}) {
         CHECK(crossing.met);
         CHECK_ULPS(crossing.t, Real(1) / 6, 4);
     }
+}
+
+TEST_CASE_TEMPLATE("Pluecker: the probe is told the corners and the sides", Real, EVERY_SCALAR) {
+    TriangleProbe<Real> probe;
+    const Ray<Real> ray{start<Real>, towards_weights<Real>(1, 2, 3)};
+    intersect(ray, slanting<Real>, Pluecker{}, probe);
+    CHECK(probe.tested == 1);
+    CHECK(probe.corners == 1);
+    CHECK(probe.sides == 1);
+    CHECK_EXACT(probe.A, (Vec3<Real>{-9, -9, -9}));  // as seen from the ray's start
+    CHECK_EXACT(probe.D, ray.D);
+    const Sides<Real> expected = sides(ray.D, seen_from(start<Real>, slanting<Real>));
+    CHECK_EXACT(probe.a, expected.a);
+    CHECK_EXACT(probe.b, expected.b);
+    CHECK_EXACT(probe.c, expected.c);
+    // and where the ray misses, too: that is what the overlays of near misses show
+    intersect(Ray<Real>{start<Real>, towards_weights<Real>(-1, 4, 4)}, slanting<Real>, Pluecker{}, probe);
+    CHECK(probe.sides == 2);
 }
 
 TEST_CASE_TEMPLATE("the hit point is the vertices' mean by the sides' weights, and lies at t on the ray", Real,
@@ -284,20 +375,6 @@ TEST_CASE_TEMPLATE("the winding decides about the normal, not about the hit", Re
         }
     }
     CHECK(hits > 500);
-}
-
-TEST_CASE_TEMPLATE("the normal: counter-clockwise vertices look at you", Real, EVERY_SCALAR) {
-    // the paper's example: (0,1,0), (0,0,0), (1,0,0) has its normal along z:
-    // (B - A) x (C - A) = (0,-1,0) x (1,-1,0) = (0, 0, 0*(-1) - (-1)*1) = (0, 0, 1)
-    const Triangle<Real> example{{0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
-    for (const Real size : sizes<Real>) {
-        // |n|^2 is of the size's fourth power, and float ends at 3e38
-        if (std::is_same_v<Real, float> && size > Real(1e9)) continue;
-        CHECK_EXACT(normal(scaled(size, example)), (Vec3<Real>{0, 0, 1}));
-        CHECK_EXACT(normal(other_winding(scaled(size, example))), (Vec3<Real>{0, 0, -1}));
-    }
-    const Vec3<Real> none = normal(Triangle<Real>{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
-    CHECK(std::isnan(none.x));
 }
 
 TEST_CASE_TEMPLATE("a scene of any size, a D of any length: not a bit changes but in t's scale", Real, EVERY_SCALAR) {
