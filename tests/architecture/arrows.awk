@@ -4,13 +4,14 @@
 BEGIN {
     allow("scene", "")
     allow("numerics", "")
-    allow("render", "scene numerics")
+    allow("engine", "scene numerics")
+    allow("render", "engine scene numerics")
     allow("output", "render scene numerics")
     allow("explain", "render scene numerics")
-    allow("viewer", "explain output render scene numerics")
+    allow("viewer", "explain output render engine scene numerics")
     allow("learn", "explain output render scene numerics")
-    allow("bench", "render scene numerics")
-    allow("cli", "bench learn viewer explain output render scene numerics")
+    allow("bench", "render engine scene numerics")
+    allow("cli", "bench learn viewer explain output render engine scene numerics")
 
     for (i = 1; i < ARGC; i++)
         if (split(ARGV[i], part, "/") == 4 && part[1] "/" part[2] == "src/core") stage_of[part[4]] = part[3] + 0

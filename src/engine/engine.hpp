@@ -1,0 +1,68 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <sphere.hpp>
+#include <triangle.hpp>
+
+#include "engine/hierarchy.hpp"
+
+namespace glassbox::engine {
+
+/// The triangles of a leaf, coordinate by coordinate, as vectors read them. Places that are left over repeat the last
+/// triangle.
+struct alignas(64) Block {
+    double A[3][width], B[3][width], C[3][width];
+    std::uint32_t surface[width];
+    std::uint32_t count;
+
+    Triangle<double> triangle(std::uint32_t at) const {
+        return {{A[0][at], A[1][at], A[2][at]}, {B[0][at], B[1][at], B[2][at]}, {C[0][at], C[1][at], C[2][at]}};
+    }
+};
+
+/// A scene's surfaces made ready for rays, once for all views and all rays. Surfaces are numbered as everywhere:
+/// spheres first.
+class Engine {
+public:
+    Engine() = default;
+    /// 0 threads: as many as the machine has cores.
+    Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<double>> triangles, int threads = 0);
+
+    std::size_t size() const { return spheres_.size() + place_.size(); }
+    const std::vector<Sphere<double>>& spheres() const { return spheres_; }
+    std::size_t bytes() const;
+
+    const Hierarchy& hierarchy() const { return hierarchy_; }
+    const std::vector<Block>& blocks() const { return blocks_; }
+    /// The point that the hierarchy's boxes are relative to.
+    const Vec3<double>& middle() const { return middle_; }
+    /// Around all surfaces of the hierarchy.
+    const Box& around() const { return around_; }
+    /// Surfaces so large that floats cannot hold their boxes: in no leaf, to be tested always.
+    const std::vector<std::uint32_t>& loose() const { return loose_; }
+
+    Triangle<double> triangle(std::size_t surface) const {
+        const std::uint32_t place = place_[surface - spheres_.size()];
+        return blocks_[place / width].triangle(place % width);
+    }
+
+    /// Calls `use` with the sphere or the triangle of that number.
+    template <class Use>
+    auto with_surface(std::size_t surface, const Use& use) const {
+        return surface < spheres_.size() ? use(spheres_[surface]) : use(triangle(surface));
+    }
+
+private:
+    std::vector<Sphere<double>> spheres_;
+    std::vector<std::uint32_t> place_;  ///< of each triangle: its block, times 8, and where it stands there
+    std::vector<Block> blocks_;         ///< one for each leaf of triangles, in their order; then those of loose ones
+    Hierarchy hierarchy_;
+    Vec3<double> middle_;
+    Box around_;
+    std::vector<std::uint32_t> loose_;
+};
+
+}  // namespace glassbox::engine
