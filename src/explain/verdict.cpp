@@ -1,7 +1,7 @@
 #include "explain/verdict.hpp"
 
-#include "render/tracer.hpp"
 #include "render/view.hpp"
+#include "render/with_tracer.hpp"
 
 namespace glassbox {
 

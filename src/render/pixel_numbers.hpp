@@ -7,6 +7,7 @@
 
 #include <shading.hpp>
 
+#include "render/certified_search.hpp"
 #include "render/plane.hpp"
 #include "render/tracer.hpp"
 #include "render/triangle_numbers.hpp"

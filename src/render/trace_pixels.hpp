@@ -1,7 +1,7 @@
 #pragma once
 #include "render/parallel.hpp"
-#include "render/tracer.hpp"
 #include "render/view.hpp"
+#include "render/with_tracer.hpp"
 
 namespace glassbox {
 

@@ -1,14 +1,10 @@
 #pragma once
 #include <optional>
-#include <type_traits>
 #include <vector>
 
+#include <crossing.hpp>
 #include <ray_color.hpp>
 #include <shading.hpp>
-
-#include "render/certified_search.hpp"
-#include "render/options.hpp"
-#include "render/search.hpp"
 
 namespace glassbox {
 
@@ -44,6 +40,7 @@ struct Tracer {
     }
 };
 
+/// The same shading in another scalar.
 template <class To, class From>
 Shading<To> convert(const Shading<From>& s) {
     return {s.model,
@@ -53,43 +50,6 @@ Shading<To> convert(const Shading<From>& s) {
             static_cast<To>(s.exponent),
             convert<To>(s.ambient_color),
             convert<To>(s.specular_color)};
-}
-
-/// Calls `use(search)` with the search for a scene's surfaces that the options name. `reach` covers all rays to come.
-template <class Use>
-auto with_search(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
-    return std::visit(
-        [&]<class Roots, class Test>(const Roots& roots, const Test& test) {
-            const auto plain = [&]<class Real>(std::type_identity<Real>) {
-                return use(PlainSearch<Real, Roots, Test>{surfaces<Real>(scene, options.stage), roots, test});
-            };
-            switch (options.scalar) {
-                case Scalar::float_:
-                    return plain(std::type_identity<float>{});
-                case Scalar::double_:
-                    return plain(std::type_identity<double>{});
-                case Scalar::long_double:
-                    return plain(std::type_identity<long double>{});
-                case Scalar::certified:
-                case Scalar::exact:
-                    break;
-            }
-            return use(CertifiedSearch<Roots, Test>(surfaces<double>(scene, options.stage), roots, test, reach,
-                                                    options.scalar == Scalar::exact));
-        },
-        options.sphere_rule, options.triangle_rule);
-}
-
-/// Calls `use(tracer)` with the tracer that the options name.
-template <class Use>
-auto with_tracer(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
-    return with_search(scene, options, reach, [&]<class Search>(Search&& search) {
-        using Real = typename Search::Number;
-        const Light<Real> light =
-            directional_light(convert<Real>(scene.light_position), static_cast<Real>(scene.light_intensity));
-        return use(Tracer<Search>{std::move(search), surface_colors(scene), scene.background, light,
-                                  convert<Real>(scene.shading), options.stage});
-    });
 }
 
 }  // namespace glassbox

@@ -1,0 +1,50 @@
+#pragma once
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "render/certified_search.hpp"
+#include "render/options.hpp"
+#include "render/search.hpp"
+#include "render/tracer.hpp"
+
+namespace glassbox {
+
+/// Calls `use(search)` with the search for a scene's surfaces that the options name. `reach` covers all rays to come.
+template <class Use>
+auto with_search(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
+    return std::visit(
+        [&]<class Roots, class Test>(const Roots& roots, const Test& test) {
+            const auto plain = [&]<class Real>(std::type_identity<Real>) {
+                return use(PlainSearch<Real, Roots, Test>{surfaces<Real>(scene, options.stage), roots, test});
+            };
+            switch (options.scalar) {
+                case Scalar::float_:
+                    return plain(std::type_identity<float>{});
+                case Scalar::double_:
+                    return plain(std::type_identity<double>{});
+                case Scalar::long_double:
+                    return plain(std::type_identity<long double>{});
+                case Scalar::certified:
+                case Scalar::exact:
+                    break;
+            }
+            return use(CertifiedSearch<Roots, Test>(surfaces<double>(scene, options.stage), roots, test, reach,
+                                                    options.scalar == Scalar::exact));
+        },
+        options.sphere_rule, options.triangle_rule);
+}
+
+/// Calls `use(tracer)` with the tracer that the options name.
+template <class Use>
+auto with_tracer(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
+    return with_search(scene, options, reach, [&]<class Search>(Search&& search) {
+        using Real = typename Search::Number;
+        const Light<Real> light =
+            directional_light(convert<Real>(scene.light_position), static_cast<Real>(scene.light_intensity));
+        return use(Tracer<Search>{std::move(search), surface_colors(scene), scene.background, light,
+                                  convert<Real>(scene.shading), options.stage});
+    });
+}
+
+}  // namespace glassbox
