@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
@@ -16,9 +17,9 @@ public:
         const auto& [red, green, blue] = color;
         const auto pixel = static_cast<std::size_t>(height - 1 - i) * static_cast<std::size_t>(width) +
                            static_cast<std::size_t>(j);  // a file begins with the top row
-        bytes[3 * pixel] = static_cast<char>(static_cast<unsigned char>(red));
-        bytes[3 * pixel + 1] = static_cast<char>(static_cast<unsigned char>(green));
-        bytes[3 * pixel + 2] = static_cast<char>(static_cast<unsigned char>(blue));
+        bytes[3 * pixel] = byte(static_cast<double>(red));
+        bytes[3 * pixel + 1] = byte(static_cast<double>(green));
+        bytes[3 * pixel + 2] = byte(static_cast<double>(blue));
     }
 
     /// Writes the picture as a PPM file, whole or not at all, and returns the program's exit status.
@@ -35,6 +36,12 @@ public:
     }
 
 private:
+    /// Truncated; what is no number is 0. Beyond 255 it begins anew from 0, as bytes do: a wrong colour is to be seen.
+    static char byte(double x) {
+        if (!(std::abs(x) < 1e18)) return 0;
+        return static_cast<char>(static_cast<unsigned char>(static_cast<long long>(x)));
+    }
+
     int width, height;
     std::vector<char> bytes;
 };

@@ -1,6 +1,7 @@
 // Lesson 3: a tetrahedron joins the spheres: four triangles, each tested by its three side products. On the left the
 // paper's view in flat colours; on the right the tetrahedron from near, over a floor of two triangles. There the colour
 // is the weight of each corner, in eighths: A is red, B green, C blue.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <picture.hpp>
@@ -14,7 +15,9 @@ using namespace glassbox;
 /// The weights of the three corners, in eighths, as red, green and blue.
 Vec3<double> weight_color(const Ray<double>& ray, const Triangle<double>& triangle) {
     const auto [a, b, c] = sides(ray.D, seen_from(ray.P, triangle));
-    const auto level = [&](double weight) { return 255.0 / 8 * std::floor(8 * weight / (a + b + c)); };
+    const auto level = [&](double weight) {
+        return 255.0 / 8 * std::clamp(std::floor(8 * weight / (a + b + c)), 0.0, 8.0);
+    };
     return {level(a), level(b), level(c)};
 }
 
