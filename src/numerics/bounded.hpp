@@ -31,11 +31,11 @@ struct Bounded {
     friend constexpr Bounded operator-(Bounded a) { return {-a.value, a.error}; }
 
     // A sum or difference that underflows is exact.
-    friend constexpr Bounded operator+(Bounded a, Bounded b) {
+    friend Bounded operator+(Bounded a, Bounded b) {
         const double v = a.value + b.value;
         return {v, up(a.error + b.error + u * (v < 0 ? -v : v))};
     }
-    friend constexpr Bounded operator-(Bounded a, Bounded b) { return a + -b; }
+    friend Bounded operator-(Bounded a, Bounded b) { return a + -b; }
 
     friend Bounded operator*(Bounded a, Bounded b) {
         if (is_exactly_zero(a) || is_exactly_zero(b)) return {};
@@ -65,7 +65,7 @@ struct Bounded {
 
     friend constexpr Bounded abs(Bounded a) { return {a.value < 0 ? -a.value : a.value, a.error}; }
 
-    friend constexpr Kleene operator<(Bounded a, Bounded b) {
+    friend Kleene operator<(Bounded a, Bounded b) {
         if (!is_known(a) || !is_known(b)) return Kleene::undecided();
         if (a.error == 0 && b.error == 0) return a.value < b.value;
         const double gap = b.value - a.value;
@@ -73,15 +73,15 @@ struct Bounded {
         if (gap > doubt) return true;
         return gap < -doubt ? Kleene(false) : Kleene::undecided();
     }
-    friend constexpr Kleene operator>(Bounded a, Bounded b) { return b < a; }
-    friend constexpr Kleene operator<=(Bounded a, Bounded b) { return !(b < a); }
-    friend constexpr Kleene operator>=(Bounded a, Bounded b) { return !(a < b); }
-    friend constexpr Kleene operator!=(Bounded a, Bounded b) {
+    friend Kleene operator>(Bounded a, Bounded b) { return b < a; }
+    friend Kleene operator<=(Bounded a, Bounded b) { return !(b < a); }
+    friend Kleene operator>=(Bounded a, Bounded b) { return !(a < b); }
+    friend Kleene operator!=(Bounded a, Bounded b) {
         if (is_known(a) && is_known(b) && a.error == 0 && b.error == 0) return a.value != b.value;
         const Kleene below = a < b, above = b < a;
         return surely(below) || surely(above) ? Kleene(true) : Kleene::undecided();
     }
-    friend constexpr Kleene operator==(Bounded a, Bounded b) { return !(a != b); }
+    friend Kleene operator==(Bounded a, Bounded b) { return !(a != b); }
 
     /// Not lost to overflow or a division by what may be 0.
     friend constexpr bool is_known(Bounded a) {

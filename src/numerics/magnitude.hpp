@@ -13,10 +13,20 @@ struct Magnitude {
     template <std::floating_point Real>
     explicit Magnitude(Real value) : size(static_cast<double>(std::abs(value))) {}
 
-    friend Magnitude operator+(Magnitude a, Magnitude b) { return Magnitude(a.size + b.size); }
-    friend Magnitude operator-(Magnitude a, Magnitude b) { return Magnitude(a.size + b.size); }
-    friend Magnitude operator*(Magnitude a, Magnitude b) { return Magnitude(a.size * b.size); }
     friend Magnitude operator-(Magnitude a) { return a; }
+
+    friend Magnitude operator+(Magnitude a, Magnitude b) {
+        // |a + b| ≤ |a| + |b|
+        return Magnitude(a.size + b.size);
+    }
+    friend Magnitude operator-(Magnitude a, Magnitude b) {
+        // |a − b| ≤ |a| + |b|: the signs are unknown
+        return Magnitude(a.size + b.size);
+    }
+    friend Magnitude operator*(Magnitude a, Magnitude b) {
+        // |ab| = |a||b|
+        return Magnitude(a.size * b.size);
+    }
 };
 
 }  // namespace glassbox
