@@ -1,0 +1,264 @@
+#include "learn/compile_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "learn/plain_words.hpp"
+#include "scene/suggestion.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A line of a compiler that names a place: "file:line:column: rest", "In file included from file:line,".
+struct Located {
+    Place place;
+    std::string rest;
+};
+
+std::size_t number_at(std::string_view& text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{}) return 0;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+/// The place that a line names, if it does. File names may have colons; so the first colon that a number and another
+/// colon or comma follow ends the name.
+std::optional<Located> located(std::string_view line) {
+    for (const std::string_view opening : {"In file included from ", "                 from "})
+        if (line.starts_with(opening)) line.remove_prefix(opening.size());
+    for (std::size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
+        std::string_view rest = line.substr(colon + 1);
+        const std::size_t number = number_at(rest);
+        if (number == 0 || rest.empty() || (rest[0] != ':' && rest[0] != ',')) continue;
+        Located found{{std::string(line.substr(0, colon)), number, 0}, ""};
+        rest.remove_prefix(1);
+        found.place.column = number_at(rest);
+        if (found.place.column > 0 && rest.starts_with(':')) rest.remove_prefix(1);
+        rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+        found.rest = rest;
+        return found;
+    }
+    return {};
+}
+
+/// One error with the places that led to it: files that include its file, templates that needed it.
+struct Diagnosed {
+    Located error;
+    std::vector<Place> led_there;
+};
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+std::vector<Diagnosed> diagnosed(const std::string& text) {
+    std::vector<Diagnosed> errors;
+    std::vector<Place> before;
+    for (const std::string_view line : lines_of(text)) {
+        std::optional<Located> found = located(line);
+        if (!found) continue;
+        std::string& rest = found->rest;
+        for (const std::string_view severity : {"fatal error: ", "error: "})
+            if (rest.starts_with(severity)) {
+                rest.erase(0, severity.size());
+                errors.push_back({*std::move(found), std::move(before)});
+                before.clear();
+                break;
+            }
+        if (!found || rest.starts_with("warning: ")) continue;
+        // g++ tells before the error how it came there, clang++ after it, in a note. Other notes lead nowhere.
+        const bool note = rest.starts_with("note: ");
+        const bool needed =
+            rest.find("requested here") != std::string::npos || rest.find("in call to") != std::string::npos;
+        if (!note) before.push_back(found->place);
+        else if (needed && !errors.empty()) errors.back().led_there.push_back(found->place);
+    }
+    return errors;
+}
+
+bool lies_in(const fs::path& file, const fs::path& folder) {
+    const fs::path near = file.lexically_normal().lexically_relative(folder.lexically_normal());
+    return !near.empty() && *near.begin() != "..";
+}
+
+std::string line_of(const fs::path& file, std::size_t number) {
+    std::error_code failed;
+    if (!fs::is_regular_file(file, failed)) return "";
+    std::ifstream in(file);
+    std::string line;
+    for (std::size_t n = 0; n < number; ++n)
+        if (!std::getline(in, line)) return "";
+    if (line.size() > 400) line.resize(400);
+    return line;
+}
+
+/// Of a compilation that ended without an error message: the compiler itself came to an end.
+CompileError of_the_compiler_itself(const Outcome& outcome) {
+    CompileError error;
+    error.message = "the compiler: " + in_words(outcome);
+    switch (outcome.end) {
+        case End::deadline:
+            error.plain =
+                "The compiler does not come to an end: does a file include itself or another one that never ends, or "
+                "does a template need itself?";
+            break;
+        case End::memory:
+        case End::signal:
+            error.plain =
+                "The compiler ran out of memory or crashed: does something in your file repeat without end, such as a "
+                "template that needs itself, or an include of something that is no source file?";
+            break;
+        case End::output:
+            error.plain = "The compiler has more to complain about than anyone can read: is this a C++ header at all?";
+            break;
+        default:
+            break;
+    }
+    return error;
+}
+
+std::string first_line_with(const std::string& text, std::string_view part) {
+    for (const std::string_view line : lines_of(text))
+        if (line.find(part) != std::string_view::npos) return std::string(line);
+    return "";
+}
+
+/// The words for a name that is not known, if one that is nearly the same stands in the file.
+std::string suggested(const CompileError& error) {
+    for (const std::string_view opening : {"use of undeclared identifier '", "there are no arguments to '", "'"}) {
+        if (!error.message.starts_with(opening)) continue;
+        const std::string_view rest = std::string_view(error.message).substr(opening.size());
+        const std::string name(rest.substr(0, rest.find('\'')));
+        if (opening == "'" && rest.find("was not declared in this scope") == std::string_view::npos) return "";
+        std::ifstream in(error.place.file);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        std::set<std::string, std::less<>> names;
+        std::string word;
+        for (const char c : text + ' ') {
+            if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') word += c;
+            else if (word.size() > 1 && word != name) names.insert(std::exchange(word, ""));
+            else word.clear();
+        }
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        const std::string words = known.empty() || name.size() < 2 ? "" : suggestion(name, known);
+        return words.starts_with("did you mean") ? "Nothing is called " + name + " here; " + words : "";
+    }
+    return "";
+}
+
+/// The words for an include of what a later lesson brings.
+std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
+    std::string name;
+    if (const std::size_t end = error.message.find(": No such file"); end != std::string::npos)
+        name = error.message.substr(0, end);
+    else if (error.message.starts_with("'") && error.message.ends_with("' file not found"))
+        name = error.message.substr(1, error.message.rfind('\'') - 1);
+    if (name.empty()) return "";
+    std::vector<std::string> headers;
+    std::error_code none;
+    for (const fs::directory_entry& lesson : fs::directory_iterator(root / "src/core", none)) {
+        for (const fs::directory_entry& header : fs::directory_iterator(lesson.path(), none)) {
+            headers.push_back(header.path().filename().string());
+            if (headers.back() == name)
+                return fmt::format("{} belongs to lesson {}; this lesson does without it: take the include away.", name,
+                                   lesson.path().filename().string());
+        }
+    }
+    const std::vector<std::string_view> known(headers.begin(), headers.end());
+    const std::string words = known.empty() ? "" : suggestion(name, known);
+    return words.starts_with("did you mean") ? fmt::format("There is no header {}; {}", name, words) : "";
+}
+
+}  // namespace
+
+std::optional<CompileError> compile_error(const Outcome& compilation, const fs::path& mine, const fs::path& folder) {
+    if (compilation.well()) return {};
+    std::vector<Diagnosed> errors = diagnosed(compilation.errors);
+    if (compilation.end != End::exited || errors.empty()) {
+        CompileError error = of_the_compiler_itself(compilation);
+        if (errors.empty()) return error;
+        if (compilation.end == End::stopped) return error;
+    }
+    for (Diagnosed& one : errors) {
+        one.error.place.file = (folder / one.error.place.file).lexically_normal().string();
+        for (Place& place : one.led_there) place.file = (folder / place.file).lexically_normal().string();
+    }
+    const auto is_mine = [&](const Place& place) { return lies_in(place.file, mine); };
+
+    const Diagnosed* chosen = &errors.front();
+    Place place = chosen->error.place;
+    const auto own =
+        std::find_if(errors.begin(), errors.end(), [&](const Diagnosed& one) { return is_mine(one.error.place); });
+    if (own != errors.end()) {
+        chosen = &*own;
+        place = own->error.place;
+    } else {
+        for (const Diagnosed& one : errors) {
+            const auto via = std::find_if(one.led_there.begin(), one.led_there.end(), is_mine);
+            if (via == one.led_there.end()) continue;
+            chosen = &one;
+            place = *via;
+            break;
+        }
+    }
+    CompileError error;
+    error.place = place;
+    error.yours = is_mine(place);
+    error.source = line_of(place.file, place.line);
+    error.message = chosen->error.rest;
+    error.plain = suggested(error);
+    if (error.plain.empty()) error.plain = of_a_later_lesson(error, folder);
+    if (error.plain.empty()) error.plain = in_plain_words(error.message);
+    if (!error.yours && error.plain.empty())
+        error.plain =
+            "The tests cannot use your headers as they are: has each function the name, the parameters and the result "
+            "that it had in the starter?";
+    error.others = static_cast<int>(errors.size()) - 1;
+    return error;
+}
+
+std::optional<CompileError> link_error(const Outcome& linking) {
+    if (linking.well()) return {};
+    CompileError error;
+    const std::string undefined = first_line_with(linking.errors, "undefined reference to ");
+    const std::string twice = first_line_with(linking.errors, "multiple definition of ");
+    if (linking.end == End::exited && !undefined.empty()) {
+        error.message = undefined.substr(undefined.find("undefined reference to "));
+        error.plain = "A function is declared, but has no body: is a ; there where its { should be?";
+    } else if (linking.end == End::exited && !twice.empty()) {
+        error.message = twice.substr(twice.find("multiple definition of "));
+        error.plain = "Two things have this name: rename yours.";
+    } else {
+        error.message = "the linker: " + in_words(linking);
+    }
+    return error;
+}
+
+std::string with_caret(const CompileError& error) {
+    std::string caret;
+    for (std::size_t i = 0; i + 1 < error.place.column && i < error.source.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(error.source[i]);
+        if ((byte & 0xC0u) != 0x80u) caret += byte == '\t' ? '\t' : ' ';  // a character of many bytes is one wide
+    }
+    return error.source + '\n' + caret + '^';
+}
+
+}  // namespace glassbox::learn

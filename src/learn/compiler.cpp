@@ -1,0 +1,110 @@
+#include "learn/compiler.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <iterator>
+
+#include "learn/child.hpp"
+#include "scene/error.hpp"
+#include "scene/text_file.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr Limits while_compiling{.time = 30s, .memory = std::uint64_t{4} << 30, .output = std::size_t{1} << 20};
+
+/// English, whatever the learner's language is, since we read it; and no cache in between, which only costs time for
+/// files that change each time.
+const std::vector<std::pair<std::string, std::string>> plain{
+    {"LC_ALL", "C"}, {"CCACHE_DISABLE", "1"}, {"GCC_COLORS", ""}, {"CLICOLOR_FORCE", ""}};
+
+Outcome run_compiler(const Compiler& compiler, std::vector<std::string> arguments, const fs::path& folder,
+                     const std::stop_token& stop) {
+    return run({compiler.program, std::move(arguments), plain, folder, while_compiling}, stop);
+}
+
+/// As it is named from a folder, if it lies in it.
+std::string named_from(const fs::path& folder, const fs::path& path) {
+    const fs::path near = path.lexically_relative(folder);
+    return folder.empty() || near.empty() || *near.begin() == ".." ? path.string() : near.string();
+}
+
+std::vector<std::string> arguments_of(const Compilation& what) {
+    std::vector<std::string> arguments{"-std=c++20", "-ffp-contract=off"};
+    for (const fs::path& include : what.includes) arguments.push_back("-I" + named_from(what.folder, include));
+    arguments.insert(arguments.end(), what.flags.begin(), what.flags.end());
+    return arguments;
+}
+
+}  // namespace
+
+Compiler find_compiler() {
+    const char* chosen = std::getenv("CXX");
+    Compiler compiler;
+    compiler.program = chosen && *chosen ? chosen : GLASSBOX_CXX;
+    const Outcome version = run_compiler(compiler, {"--version"}, {}, {});
+    if (!version.well())
+        throw Error(
+            fmt::format("glassbox learn: error: the compiler {} does not answer: {}; install g++ (Debian, Ubuntu: sudo "
+                        "apt-get install "
+                        "g++), or name yours: CXX=clang++ ./glassbox learn",
+                        in_quotes(compiler.program), in_words(version)));
+    compiler.identity = version.output;
+    compiler.clang = version.output.find("clang") != std::string::npos;
+    return compiler;
+}
+
+Outcome compile(const Compiler& compiler, const Compilation& what, const std::stop_token& stop) {
+    std::vector<std::string> arguments = arguments_of(what);
+    const std::string source = named_from(what.folder, what.source);
+    arguments.insert(arguments.end(), {compiler.clang ? "-ferror-limit=20" : "-fmax-errors=20", "-c",
+                                       named_from(what.folder, what.source), "-o", what.object.string()});
+    return run_compiler(compiler, std::move(arguments), what.folder, stop);
+}
+
+Outcome link(const Compiler& compiler, const std::vector<fs::path>& objects, const fs::path& program,
+             const std::stop_token& stop) {
+    std::vector<std::string> arguments{"-o", program.string()};
+    for (const fs::path& object : objects) arguments.push_back(object.string());
+    return run_compiler(compiler, std::move(arguments), {}, stop);
+}
+
+void precompile(const Compiler& compiler, const Compilation& header, const std::stop_token& stop) {
+    std::vector<std::string> arguments = arguments_of(header);
+    arguments.insert(arguments.end(), {"-x", "c++-header", header.source.string(), "-o", header.object.string()});
+    const Outcome outcome = run_compiler(compiler, std::move(arguments), header.folder, stop);
+    if (!outcome.well())
+        throw Error(fmt::format("{}: error: {} cannot compile it: {}\n{}", header.source.string(), compiler.program,
+                                in_words(outcome), outcome.errors));
+}
+
+std::vector<std::string> beginning_with(const Compiler& compiler, const fs::path& precompiled) {
+    if (compiler.clang) return {"-include-pch", precompiled.string()};
+    // g++ is told the header's name, and looks for the same name with .gch at its end first.
+    return {"-include", fs::path(precompiled).replace_extension().string()};
+}
+
+fs::path doctest_folder() {
+    if (*GLASSBOX_DOCTEST == '\0')
+        throw Error(
+            "glassbox learn: error: the tests need doctest, and this program was built without it; install it (Debian, "
+            "Ubuntu: sudo apt-get install doctest-dev) and build again with the tests: cmake -D GLASSBOX_TESTS=ON");
+    return GLASSBOX_DOCTEST;
+}
+
+std::string fingerprint(const std::vector<std::string>& parts) {
+    // FNV-1a, 64 bits: it is not for secrets.
+    std::uint64_t hash = 14695981039346656037u;
+    const auto take = [&](unsigned char byte) { hash = (hash ^ byte) * 1099511628211u; };
+    for (const std::string& part : parts) {
+        for (const char byte : part) take(static_cast<unsigned char>(byte));
+        take('\0');
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace glassbox::learn

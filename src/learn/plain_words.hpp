@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace glassbox::learn {
+
+/// What an error of a compiler means and what to do about it, for someone who learns C++; empty if it is none of the
+/// common ones. Knows the words of g++ and of clang++.
+std::string in_plain_words(std::string_view message);
+
+}  // namespace glassbox::learn

@@ -1,0 +1,188 @@
+#include "learn/test_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <future>
+#include <random>
+
+#include "learn/report.hpp"
+#include "scene/text_file.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t memory_of_a_test = std::uint64_t{1} << 30;
+
+/// Scalars that are compiled together.
+struct Group {
+    const char* name;     ///< of the files
+    const char* scalars;  ///< EVERY_SCALAR
+};
+constexpr Group first{"double", "double"}, rest{"others", "float, long double"};
+
+std::string plain_text(const fs::path& file) {
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) return "";
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void add_files(std::vector<std::string>& parts, const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none))
+        if (entry.path().extension() == ".hpp" || entry.path().extension() == ".h") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        parts.push_back(file.string());
+        parts.push_back(plain_text(file));
+    }
+}
+
+std::string random_text() {
+    std::random_device device;
+    return fmt::format("{:08x}{:08x}", device(), device());
+}
+
+/// One group's program: compiled, linked, run.
+class Program {
+public:
+    Program(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools, const TestRequest& request,
+            const Group& group)
+        : workspace_(workspace), exercise_(exercise), tools_(tools), request_(request), group_(group) {}
+
+    /// Which of the tests' sources are to be compiled for this group: those that do not ask for scalars, once.
+    std::vector<fs::path> sources() const {
+        std::vector<fs::path> sources;
+        for (const std::string& test : exercise_.tests) {
+            const fs::path source = workspace_.root / test;
+            if (group_.name == first.name || read_text(source).find("EVERY_SCALAR") != std::string::npos)
+                sources.push_back(source);
+        }
+        return sources;
+    }
+
+    /// Compiles and links, unless all is as it was. What went wrong, if anything did.
+    std::optional<CompileError> build(const std::string& ingredients, const std::stop_token& stop) {
+        const std::vector<fs::path> all = sources();
+        if (plain_text(file("key")) == ingredients) return {};
+        std::error_code none;
+        fs::remove(file("key"), none);
+        std::vector<fs::path> objects{tools_.main};
+        for (const fs::path& source : all) {
+            objects.push_back(file(source.stem().string() + ".o"));
+            Compilation what{source, objects.back(), includes_of(workspace_, exercise_, request_.headers), tools_.flags,
+                             workspace_.root};
+            what.flags.push_back(fmt::format("-DEVERY_SCALAR={}", group_.scalars));
+            const Outcome outcome = compile(tools_.compiler, what, stop);
+            if (auto error = compile_error(outcome, request_.headers, workspace_.root)) return error;
+        }
+        if (auto error = link_error(link(tools_.compiler, objects, file("program"), stop))) return error;
+        std::ofstream(file("key"), std::ios::binary) << ingredients;
+        return {};
+    }
+
+    Report run(const std::stop_token& stop) const {
+        const std::string nonce = random_text();
+        const fs::path report = file("report");
+        std::error_code none;
+        fs::remove(report, none);
+        Command command{file("program"), {report.string(), nonce}};
+        command.folder = request_.folder;
+        command.limits = {.time = request_.deadline, .memory = memory_of_a_test, .file = std::uint64_t{16} << 20};
+        const Outcome outcome = learn::run(command, stop);
+        return read_report(plain_text(report), nonce, outcome);
+    }
+
+private:
+    fs::path file(const std::string& what) const { return request_.folder / (std::string(group_.name) + "-" + what); }
+
+    const Workspace& workspace_;
+    const Exercise& exercise_;
+    const Toolchain& tools_;
+    const TestRequest& request_;
+    const Group& group_;
+};
+
+/// Adds what a program reported. Cases without a scalar are in both programs; the first result stands.
+void add(TestRun& run, Report report) {
+    for (CaseResult& one : report.cases) {
+        const auto same = std::find_if(run.cases.begin(), run.cases.end(),
+                                       [&](const CaseResult& other) { return other.name == one.name; });
+        if (same == run.cases.end()) run.cases.push_back(std::move(one));
+    }
+    if (run.disturbed.empty()) run.disturbed = std::move(report.disturbed);
+}
+
+}  // namespace
+
+std::string Failure::not_written() const {
+    const std::size_t end = threw.find("` is not written yet (");
+    return threw.starts_with('`') && end != std::string::npos ? threw.substr(1, end - 1) : "";
+}
+
+bool TestRun::passed() const {
+    const auto passes = [](const CaseResult& one) { return !one.failure; };
+    return !error && disturbed.empty() && !stopped && !cases.empty() && std::all_of(cases.begin(), cases.end(), passes);
+}
+
+std::vector<fs::path> includes_of(const Workspace& workspace, const Exercise& exercise, const fs::path& headers) {
+    std::vector<fs::path> includes{headers, workspace.root / "lessons"};
+    std::vector<fs::path> stages;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(workspace.root / "src/core", none)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_directory(none) && name[0] >= '1' && name[0] - '0' <= exercise.stage)
+            stages.push_back(entry.path());
+    }
+    std::sort(stages.begin(), stages.end());
+    includes.insert(includes.end(), stages.begin(), stages.end());
+    includes.push_back(workspace.root / "tests/stages");
+    includes.push_back(workspace.root / "tests");
+    if (!exercise.include.empty()) includes.push_back(workspace.root / "src");
+    includes.push_back(doctest_folder());
+    return includes;
+}
+
+std::string fingerprint_of_headers(const fs::path& folder) {
+    std::vector<std::string> parts;
+    add_files(parts, folder);
+    return fingerprint(parts);
+}
+
+TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
+                  const TestRequest& request, const std::stop_token& stop) {
+    std::vector<std::string> parts{tools.identity};
+    for (const char* folder : {"src/core", "src/numerics", "tests/stages", "tests/support"})
+        add_files(parts, workspace.root / folder);
+    for (const std::string& test : exercise.tests) parts.push_back(read_text(workspace.root / test));
+    add_files(parts, request.headers);
+    parts.push_back(plain_text(workspace.root / "lessons/not_written.hpp"));
+    const std::string ingredients = fingerprint(parts);
+
+    Program doubles(workspace, exercise, tools, request, first), others(workspace, exercise, tools, request, rest);
+    const bool two = !others.sources().empty();
+    std::stop_source enough;  // of the others, when the doubles fail
+    const std::stop_callback both(stop, [&] { enough.request_stop(); });
+    const auto build_others = [&] { return others.build(ingredients, enough.get_token()); };
+    std::future<std::optional<CompileError>> built;
+    if (two && request.at_once) built = std::async(std::launch::async, build_others);
+
+    TestRun run;
+    run.error = doubles.build(ingredients, stop);
+    if (!run.error && !stop.stop_requested()) add(run, doubles.run(stop));
+    if (two && run.passed() && !stop.stop_requested()) {
+        run.error = built.valid() ? built.get() : build_others();
+        if (!run.error && !stop.stop_requested()) add(run, others.run(stop));
+    }
+    enough.request_stop();
+    run.stopped = stop.stop_requested();
+    if (run.error) run.cases.clear();
+    return run;
+}
+
+}  // namespace glassbox::learn

@@ -1,0 +1,95 @@
+#include "learn/toolchain.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <future>
+
+#include "scene/text_file.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_kept = 3;  // compilers' worth of tools; each takes some tens of megabytes
+
+/// -O0 compiles fastest; a function without a return would only crash, so it is an error.
+const std::vector<std::string> test_flags{"-O0", "-g0", "-Werror=return-type"};
+
+/// What a file is now, without reading it: enough for files of the system.
+std::string state_of(const fs::path& file) {
+    std::error_code none;
+    return fmt::format("{} {} {}", file.string(), fs::file_size(file, none),
+                       fs::last_write_time(file, none).time_since_epoch().count());
+}
+
+void remove_old(const fs::path& hidden, const fs::path& but) {
+    std::vector<std::pair<fs::file_time_type, fs::path>> found;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(hidden, none))
+        if (entry.path().filename().string().starts_with("tools-") && entry.path() != but)
+            found.emplace_back(entry.last_write_time(none), entry.path());
+    std::sort(found.rbegin(), found.rend());
+    for (std::size_t i = most_kept - 1; i < found.size(); ++i) fs::remove_all(found[i].second, none);
+}
+
+void make(const Workspace& workspace, const Compiler& compiler, const fs::path& doctest, const fs::path& folder,
+          const std::string& precompiled) {
+    const fs::path runner = workspace.root / "src/learn/runner";
+    const std::vector<fs::path> includes{workspace.root / "tests", workspace.root / "src", doctest};
+    auto main = std::async(std::launch::async, [&] {
+        return compile(compiler, {runner / "main.cpp", folder / "main.o", includes, {"-O1", "-g0"}, {}});
+    });
+    precompile(compiler, {runner / "prelude.hpp", folder / precompiled, includes, test_flags, {}});
+    const Outcome outcome = main.get();
+    if (!outcome.well())
+        throw Error(fmt::format("{}: error: {} cannot compile it: {}\n{}", (runner / "main.cpp").string(),
+                                compiler.program, in_words(outcome), outcome.errors));
+}
+
+}  // namespace
+
+Toolchain toolchain(const Workspace& workspace, const std::function<void(const std::string&)>& say) {
+    Toolchain tools;
+    tools.compiler = find_compiler();
+    const fs::path doctest = doctest_folder();
+    std::vector<std::string> parts{tools.compiler.program, tools.compiler.identity, state_of(doctest / "doctest.h")};
+    parts.insert(parts.end(), test_flags.begin(), test_flags.end());
+    for (const char* file : {"src/learn/runner/prelude.hpp", "src/learn/runner/main.cpp", "src/learn/last_words.hpp",
+                             "tests/support/ulps.hpp"})
+        parts.push_back(read_text(workspace.root / file));
+    parts.push_back(workspace.root.string());  // clang++ remembers where its headers were
+    tools.identity = fingerprint(parts);
+
+    const fs::path folder = workspace.hidden() / ("tools-" + tools.identity);
+    const std::string precompiled = tools.compiler.clang ? "prelude.pch" : "prelude.hpp.gch";
+    tools.main = folder / "main.o";
+    tools.flags = test_flags;
+    for (const std::string& flag : beginning_with(tools.compiler, folder / precompiled)) tools.flags.push_back(flag);
+    std::error_code failed;
+    if (fs::is_regular_file(tools.main, failed) && fs::is_regular_file(folder / precompiled, failed)) return tools;
+
+    say("preparing the tests for your compiler: once, some seconds");
+    // Whole or not at all: made under another name first.
+    const fs::path making = workspace.hidden() / fmt::format("new-tools-{}", ::getpid());
+    fs::remove_all(making, failed);
+    fs::create_directories(making, failed);
+    if (failed)
+        throw error_at({making.string()},
+                       fmt::format("cannot make this folder: {}; name another one with --folder", failed.message()));
+    try {
+        make(workspace, tools.compiler, doctest, making, precompiled);
+    } catch (...) {
+        fs::remove_all(making, failed);
+        throw;
+    }
+    fs::remove_all(folder, failed);  // an incomplete one
+    fs::rename(making, folder, failed);
+    if (failed) fs::remove_all(making, failed);  // somebody else was quicker
+    remove_old(workspace.hidden(), folder);
+    return tools;
+}
+
+}  // namespace glassbox::learn
