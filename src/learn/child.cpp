@@ -112,10 +112,13 @@ private:
 /// would be too late by a moment, and Linux only; and what fork() leaves behind of a program with threads may run
 /// little more than exec. A limit that a system does not know, or that is above what we may use ourselves, stays as it
 /// is.
-std::string launcher(const Limits& limits) {
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(limits.time).count() * 2 + 2;
+std::string launcher(const Command& command) {
+    const Limits& limits = command.limits;
+    using std::chrono::seconds;
+    const auto processor = command.has_got_on ? seconds(std::chrono::hours(1)).count()
+                                              : std::chrono::duration_cast<seconds>(limits.time).count() * 2 + 2;
     const std::uint64_t stack = 8192;  // KiB: an endless recursion should end soon, and everywhere in the same way
-    std::string script = fmt::format("ulimit -c 0; ulimit -t {}; ulimit -f {}; ulimit -s {};", seconds,
+    std::string script = fmt::format("ulimit -c 0; ulimit -t {}; ulimit -f {}; ulimit -s {};", processor,
                                      std::max<std::uint64_t>(limits.file / 512, 1), stack);
     if (limits.memory > 0) script += fmt::format(" ulimit -v {};", std::max<std::uint64_t>(limits.memory / 1024, 1));
     return "{ " + script + " } 2>/dev/null; exec \"$@\"";
@@ -147,7 +150,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 
 /// Starts the launcher; returns the number of its process, which is its session and its group, too.
 pid_t start(const Command& command, const SharedMemory& last_words, const Pipe& output, const Pipe& errors) {
-    std::vector<std::string> arguments{"sh", "-c", launcher(command.limits), "sh", command.program.string()};
+    std::vector<std::string> arguments{"sh", "-c", launcher(command), "sh", command.program.string()};
     arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
     std::vector<std::string> environment = environment_of(command);
 
@@ -265,7 +268,7 @@ Outcome run(const Command& command, const std::stop_token& stop) {
     const std::stop_callback on_stop(
         stop, [&wake] { [[maybe_unused]] const ssize_t ignored = ::write(wake.write.number(), "", 1); });
     const auto start_time = Clock::now();
-    const auto deadline = start_time + command.limits.time;
+    auto deadline = start_time + command.limits.time;
     Process process(start(command, last_words, output, errors));
     output.write.close();
     errors.write.close();
@@ -276,11 +279,13 @@ Outcome run(const Command& command, const std::stop_token& stop) {
         std::array<pollfd, 4> events{pollfd{process.ended(), POLLIN, 0}, pollfd{wake.read.number(), POLLIN, 0},
                                      pollfd{output.read.number(), POLLIN, 0}, pollfd{errors.read.number(), POLLIN, 0}};
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-        const auto longest = process.ended() >= 0 ? left : std::min<decltype(left)>(left, 5);
+        const decltype(left) look_again = process.ended() < 0 ? 5 : command.has_got_on ? 50 : left;
+        const auto longest = std::min(left, look_again);
         ::poll(events.data(), events.size(), static_cast<int>(std::max<decltype(left)>(longest, 0)));
         if (events[2].revents != 0 && !said.take(output.read)) output.read.close();
         if (events[3].revents != 0 && !complained.take(errors.read)) errors.read.close();
         if (process.has_ended()) break;
+        if (command.has_got_on && command.has_got_on()) deadline = Clock::now() + command.limits.time;
         if (stop.stop_requested()) outcome.end = End::stopped;
         else if (Clock::now() >= deadline) outcome.end = End::deadline;
         else if (said.total() + complained.total() > command.limits.endless) outcome.end = End::output;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -29,6 +30,9 @@ struct Command {
     std::vector<std::pair<std::string, std::string>> environment = {};  ///< besides ours, and in its place
     std::filesystem::path folder = {};                                  ///< where it runs; empty: where we do
     Limits limits = {};
+    /// Called every 50 ms or so while it runs. Whenever it answers that the program has got on, Limits::time begins
+    /// anew.
+    std::function<bool()> has_got_on = {};
     const SharedMemory* shared = nullptr;  ///< handed down as shared_memory_variable; must live until run() returns
 };
 

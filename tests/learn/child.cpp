@@ -127,6 +127,18 @@ TEST_CASE("an endless loop ends at the deadline, even if it ignores signals") {
     }
 }
 
+TEST_CASE("what gets on has time; once it does not, the time is up") {
+    Command command = ending("loop");
+    command.limits.time = 200ms;
+    int asked = 0;
+    command.has_got_on = [&] { return ++asked <= 10; };  // about every 50 ms
+    const Outcome outcome = run(command);
+    CHECK(outcome.end == End::deadline);
+    CHECK(asked > 10);
+    CHECK(outcome.took >= 400ms);
+    CHECK(outcome.took < 10s);
+}
+
 TEST_CASE("endless output ends; much output is cut, and not waited for") {
     Command command = ending("print");
     command.limits.endless = std::size_t{4} << 20;
