@@ -6,14 +6,10 @@
 
 namespace glassbox {
 
-namespace {
-
 void paint_border(Image& image, Rgb color) {
     for (int x = 0; x < image.width; ++x) image.at(x, 0) = image.at(x, image.height - 1) = color;
     for (int y = 0; y < image.height; ++y) image.at(0, y) = image.at(image.width - 1, y) = color;
 }
-
-}  // namespace
 
 Image render(const Scene& scene, const Options& options, const Job& job) {
     Image image(scene.width, scene.height);

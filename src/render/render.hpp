@@ -14,6 +14,9 @@ namespace glassbox {
 /// The scene's picture, its border painted over it. The same bytes whatever the number of threads. Throws Cancelled.
 Image render(const Scene& scene, const Options& options, const Job& job = {});
 
+/// A border one pixel wide.
+void paint_border(Image& image, Rgb color);
+
 /// What the formulas computed at each pixel: the planes of each measurement, in the order given. The border is not
 /// painted over them. Throws Cancelled.
 std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
