@@ -32,6 +32,8 @@ Failure failure_from(const Json& json) {
     failure.threw = text("threw");
     failure.contexts = json.value("contexts", std::vector<std::string>{});
     failure.subcases = json.value("subcases", std::vector<std::string>{});
+    failure.ray = json.value("ray", std::vector<double>{});
+    failure.surface = json.value("surface", std::vector<double>{});
     if (failure.expected.empty() && failure.threw.empty() && (failure.got == "true" || failure.got == "false"))
         failure.expected = failure.got == "true" ? "false" : "true";
     return failure;

@@ -25,6 +25,8 @@ struct Failure {
     std::string death;                  ///< the same without what differs from run to run
     std::vector<std::string> contexts;  ///< "size := 8192"
     std::vector<std::string> subcases;  ///< "textbook"
+    std::vector<double> ray;            ///< P and D of the ray that was traced last; empty if none was
+    std::vector<double> surface;        ///< against which: a sphere's centre and radius, or a triangle's vertices
 
     /// The function that is not written yet, if that is all that went wrong; else "".
     std::string not_written() const;

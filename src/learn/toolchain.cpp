@@ -58,7 +58,7 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     std::vector<std::string> parts{tools.compiler.program, tools.compiler.identity, state_of(doctest / "doctest.h")};
     parts.insert(parts.end(), test_flags.begin(), test_flags.end());
     for (const char* file : {"src/learn/runner/prelude.hpp", "src/learn/runner/main.cpp", "src/learn/last_words.hpp",
-                             "tests/support/ulps.hpp"})
+                             "tests/support/ulps.hpp", "tests/support/traced_ray.hpp"})
         parts.push_back(read_text(workspace.root / file));
     parts.push_back(workspace.root.string());  // clang++ remembers where its headers were
     tools.identity = fingerprint(parts);

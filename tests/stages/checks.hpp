@@ -5,6 +5,7 @@
 #include <ostream>
 #include <random>
 
+#include <support/traced_ray.hpp>
 #include <support/ulps.hpp>
 #include <vec3.hpp>
 
@@ -95,6 +96,10 @@ void check_within(const T& got, const T& expected, const T& most, const char* ex
 
 /// Equal in every bit, but for the sign of zero.
 #define CHECK_EXACT(got, expected) CHECK_ULPS(got, expected, 0)
+
+/// Tells which ray is traced now against which surface, a sphere or a triangle: if a check fails, that is what to look
+/// at.
+#define CAPTURE_RAY(ray, surface) glassbox::test::trace((ray), (surface))
 
 /// The scalars that every property is shown for. `glassbox learn` asks for one after the other, to answer sooner.
 #ifndef EVERY_SCALAR

@@ -12,6 +12,7 @@ namespace {
 
 template <class Real, class Rule>
 Crossing<Real> shoot(const Ray<Real>& ray, const Triangle<Real>& triangle, const Rule& rule) {
+    CAPTURE_RAY(ray, triangle);
     Silent silent;
     return intersect(ray, triangle, rule, silent);
 }

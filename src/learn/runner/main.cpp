@@ -7,9 +7,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <support/traced_ray.hpp>
 #include <support/ulps.hpp>
 #include <vector>
 
@@ -51,6 +55,28 @@ void tell(std::string_view what, const std::string& members = "") {
 
 std::string member(std::string_view name, const std::string& json) { return "," + in_json(name) + ":" + json; }
 
+template <std::size_t size>
+std::string in_json(const std::array<double, size>& numbers, std::size_t count) {
+    std::string list;
+    for (std::size_t i = 0; i < count; ++i) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%s%.17g", i == 0 ? "" : ",", numbers[i]);
+        list += text;
+    }
+    return "[" + list + "]";
+}
+
+/// The ray that was traced last, if it can be written down.
+std::string traced_ray() {
+    const glassbox::test::TracedRay& last = glassbox::test::last_traced_ray();
+    const auto finite = [](double number) { return std::isfinite(number); };
+    if (last.numbers == 0 || !std::all_of(last.ray.begin(), last.ray.end(), finite) ||
+        !std::all_of(last.surface.begin(), last.surface.begin() + last.numbers, finite))
+        return "";
+    return member("ray", in_json(last.ray, last.ray.size())) +
+           member("surface", in_json(last.surface, static_cast<std::size_t>(last.numbers)));
+}
+
 /// Tells of each test case, and of the first thing that goes wrong in it.
 class Reporter : public doctest::IReporter {
 public:
@@ -59,6 +85,7 @@ public:
     void test_case_start(const doctest::TestCaseData& test) override {
         subcases_.clear();
         told_ = false;
+        glassbox::test::last_traced_ray() = {};
         tell("case", member("name", in_json(test.m_name)));
     }
     void test_case_reenter(const doctest::TestCaseData&) override { subcases_.clear(); }
@@ -121,7 +148,8 @@ private:
     void wrong(const std::string& members, const std::vector<std::string>& contexts) {
         if (told_) return;
         told_ = true;
-        tell("wrong", members + member("contexts", in_json(contexts)) + member("subcases", in_json(subcases_)));
+        tell("wrong",
+             members + member("contexts", in_json(contexts)) + member("subcases", in_json(subcases_)) + traced_ray());
     }
 
     bool told_ = false;
