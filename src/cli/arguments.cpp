@@ -96,6 +96,8 @@ void add_computing_options(CLI::App& command, Request& request) {
                [&](auto name, Typed typed) { request.options.triangle_rule = triangle_rule(name, typed); });
     add_choice("--sphere", "RULE", "how a sphere's roots are found", sphere_rules, defaults.sphere_rule,
                [&](auto name, Typed typed) { request.options.sphere_rule = chosen(name, typed, sphere_rules); });
+    add_choice("--engine", "E", "which surfaces a ray is tested against", engines, defaults.engine,
+               [&](auto name, Typed typed) { request.options.engine = chosen(name, typed, engines); });
     computing.add("--threads", "N", "how many threads (default: as many as there are cores)",
                   [&](auto name, Typed typed) { request.threads = whole_number(name, typed, 1, 1024); });
 }

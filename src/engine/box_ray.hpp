@@ -33,6 +33,7 @@ struct BoxRay {
     /// No box beyond this entry holds a point of the ray before t.
     float until(double t) const {
         const double moved = t * scale - shift;
+        if (!(moved < 0x1p100)) return std::numeric_limits<float>::infinity();
         return rounded_up(moved + std::abs(moved) * 0x1p-19 + 0x1p-100);
     }
 };
@@ -48,7 +49,7 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
         if (std::abs(D[k]) > std::abs(D[main_axis])) main_axis = k;
     const double longest = std::abs(D[main_axis]);
     const double farthest = std::max({std::abs(P[0]), std::abs(P[1]), std::abs(P[2])});
-    if (!(size > 0x1p-50f && longest > 0x1p-500 && longest < 0x1p500 && farthest < 0x1p60)) return {};
+    if (!(size > 0x1p-50f && longest > 0x1p-100 && longest < 0x1p100 && farthest < 0x1p60)) return {};
     const int exponent = std::ilogb(longest);
 
     BoxRay result;

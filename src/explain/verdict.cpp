@@ -9,6 +9,8 @@ namespace {
 
 /// The probe that keeps what becomes of the surfaces.
 struct Witness {
+    static constexpr bool only_verdicts = true;
+
     Verdict& verdict;
 
     template <class What, class... Values>
@@ -38,7 +40,7 @@ Verdict verdict(const Scene& scene, const Options& options, int x, int y) {
     const View seen = view(scene, options);
     Verdict result;
     result.ray = pixel_ray(seen, x, y, scene.height);
-    with_tracer(scene, options, reach(seen, scene.width, scene.height),
+    with_tracer<Witness>(scene, options, reach(seen, scene.width, scene.height), {},
                 [&]<class Search>(const Tracer<Search>& tracer) {
                     Witness witness{result};
                     const auto ray = convert<typename Search::Number>(result.ray);

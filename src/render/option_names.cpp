@@ -8,6 +8,10 @@ std::string_view name_of(Scalar scalar) {
     return name_where(scalars, [&](Scalar one) { return one == scalar; });
 }
 
+std::string_view name_of(Engine engine) {
+    return name_where(engines, [&](Engine one) { return one == engine; });
+}
+
 std::string_view name_of(const SphereRule& rule) {
     return name_where(sphere_rules, [&](const SphereRule& one) { return one.index() == rule.index(); });
 }

@@ -14,6 +14,13 @@ enum class Scalar { certified, float_, double_, long_double, exact };
 /// Whether it answers with a proof: the verdict is the mathematics' own, and t comes with a bound on its error.
 constexpr bool is_proven(Scalar scalar) { return scalar == Scalar::certified || scalar == Scalar::exact; }
 
+/// Which surfaces a ray is tested against.
+enum class Engine {
+    automatic,  ///< fast where it answers the same sooner
+    plain,      ///< all, one after the other
+    fast,       ///< those that a hierarchy of boxes leaves over; for proven answers by the rules that are geometry
+};
+
 using SphereRule = std::variant<Stable, Textbook>;
 using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;
 
@@ -25,6 +32,7 @@ struct Options {
     /// otherwise the view is rebuilt from all of them at once.
     bool accumulated = false;
     Scalar scalar = Scalar::certified;
+    Engine engine = Engine::automatic;
     SphereRule sphere_rule;
     TriangleRule triangle_rule;
 

@@ -18,6 +18,8 @@ namespace glassbox {
 /// that were not reached. What side products say about themselves costs several times the tests themselves: that is
 /// WithTriangles' part.
 struct PixelNumbers {
+    static constexpr bool only_nearest = true;
+
     double tests = 0;     ///< surfaces tested
     double hits = 0;      ///< surfaces met
     double t = no_value;  ///< of the nearest
@@ -98,6 +100,8 @@ struct PixelNumbers {
 
 /// The same probe with its `triangles` filled in.
 struct WithTriangles {
+    static constexpr bool only_nearest = true;
+
     PixelNumbers numbers;
 
     template <class What, class... Values>

@@ -9,6 +9,8 @@ namespace {
 
 /// Counts the surfaces that a ray meets, and those that needed exact arithmetic.
 struct CountHits {
+    static constexpr bool only_verdicts = true;
+
     std::size_t hits = 0;
     std::size_t undecided = 0;
 
@@ -27,8 +29,9 @@ Shot shot(const PlainSearch<Real, Rules...>& search, const Ray<double>& ray) {
     return {.verdict = Shot::Verdict::hit, .surface = hit->surface, .t = hit->t, .hits = count.hits};
 }
 
-template <class... Rules>
-Shot shot(const CertifiedSearch<Rules...>& search, const Ray<double>& ray) {
+/// By a certified search.
+template <class Search>
+Shot shot(const Search& search, const Ray<double>& ray) {
     CountHits count;
     const auto hit = search.trace_proven(ray, count);
     const bool by_filter = count.undecided == 0;
@@ -53,7 +56,7 @@ Reach reach(std::span<const Ray<double>> rays) {
 
 std::vector<Shot> shoot(const Scene& scene, const Options& options, std::span<const Ray<double>> rays, const Job& job) {
     std::vector<Shot> shots(rays.size());
-    with_search(scene, options, reach(rays), [&](const auto& search) {
+    with_search<CountHits>(scene, options, reach(rays), job, [&](const auto& search) {
         for_each_index(rays.size(), job, [&](std::size_t i) {
             if (is_valid(rays[i])) shots[i] = shot(search, rays[i]);
         });

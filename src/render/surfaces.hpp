@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <rgb.hpp>
@@ -24,10 +25,20 @@ auto with_surface(const Surfaces<Real>& surfaces, std::size_t number, const Use&
     return number < spheres ? use(surfaces.spheres[number]) : use(surfaces.triangles[number - spheres]);
 }
 
+/// How many spheres, and how many triangles a stage knows.
+inline std::pair<std::size_t, std::size_t> count_surfaces(const Scene& scene, int stage) {
+    std::size_t faces = 0;
+    for (const Mesh& mesh : scene.meshes) faces += mesh.faces.size();
+    return {stage >= 2 ? scene.spheres.size() : 0, stage >= 3 ? scene.triangles.size() + faces : 0};
+}
+
 /// The surfaces that a stage knows: none in the first, spheres from the second, triangles and meshes from the third.
 template <class Real>
 Surfaces<Real> surfaces(const Scene& scene, int stage) {
     Surfaces<Real> result;
+    const auto [spheres, triangles] = count_surfaces(scene, stage);
+    result.spheres.reserve(spheres);
+    result.triangles.reserve(triangles);
     if (stage >= 2)
         for (const ColoredSphere& sphere : scene.spheres)
             result.spheres.push_back(convert<Real>(Sphere<double>{sphere.center, sphere.radius}));

@@ -11,7 +11,7 @@ template <class Probe, class Keep>
 void trace_pixels(const Scene& scene, const Options& options, const Job& job, const Keep& keep) {
     const View seen = view(scene, options);
     const Reach all = reach(seen, scene.width, scene.height);
-    with_tracer(scene, options, all, [&]<class Search>(const Tracer<Search>& tracer) {
+    with_tracer<Probe>(scene, options, all, job, [&]<class Search>(const Tracer<Search>& tracer) {
         for_each_pixel(scene.width, scene.height, job, [&](int x, int y) {
             const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
             Probe probe;

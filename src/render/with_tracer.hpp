@@ -4,15 +4,19 @@
 #include <variant>
 
 #include "render/certified_search.hpp"
+#include "render/fast_search.hpp"
+#include "render/job.hpp"
 #include "render/options.hpp"
+#include "render/ready.hpp"
 #include "render/search.hpp"
 #include "render/tracer.hpp"
 
 namespace glassbox {
 
-/// Calls `use(search)` with the search for a scene's surfaces that the options name. `reach` covers all rays to come.
-template <class Use>
-auto with_search(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
+/// Calls `use(search)` with the search for a scene's surfaces that the options name, for the probe that is to listen.
+/// `reach` covers all rays to come.
+template <class Probe, class Use>
+auto with_search(const Scene& scene, const Options& options, const Reach& reach, const Job& job, const Use& use) {
     return std::visit(
         [&]<class Roots, class Test>(const Roots& roots, const Test& test) {
             const auto plain = [&]<class Real>(std::type_identity<Real>) {
@@ -29,6 +33,10 @@ auto with_search(const Scene& scene, const Options& options, const Reach& reach,
                 case Scalar::exact:
                     break;
             }
+            if constexpr (!std::is_same_v<Test, Tolerance>)
+                if (uses_engine(scene, options, OnlyNearest<Probe> && OnlyVerdicts<Probe>))
+                    return use(FastSearch<Roots, Test>(
+                        job.engine ? job.engine : ready(scene, options.stage, job.threads), roots, test));
             return use(CertifiedSearch<Roots, Test>(surfaces<double>(scene, options.stage), roots, test, reach,
                                                     options.scalar == Scalar::exact));
         },
@@ -36,9 +44,9 @@ auto with_search(const Scene& scene, const Options& options, const Reach& reach,
 }
 
 /// Calls `use(tracer)` with the tracer that the options name.
-template <class Use>
-auto with_tracer(const Scene& scene, const Options& options, const Reach& reach, const Use& use) {
-    return with_search(scene, options, reach, [&]<class Search>(Search&& search) {
+template <class Probe, class Use>
+auto with_tracer(const Scene& scene, const Options& options, const Reach& reach, const Job& job, const Use& use) {
+    return with_search<Probe>(scene, options, reach, job, [&]<class Search>(Search&& search) {
         using Real = typename Search::Number;
         const Light<Real> light =
             directional_light(convert<Real>(scene.light_position), static_cast<Real>(scene.light_intensity));

@@ -1,0 +1,23 @@
+#pragma once
+#include <memory>
+
+#include "engine/engine.hpp"
+#include "render/options.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// A scene's surfaces in the engine, as far as a stage knows them: made once, they serve every view of the scene.
+std::shared_ptr<const engine::Engine> ready(const Scene& scene, int stage, int threads = 0);
+
+/// Whether the engine answers as the options ask: it proves its answers, and knows surfaces by where they lie. The
+/// tolerance rule hits triangles where they are not.
+inline bool engine_can(const Options& options) {
+    return options.scalar == Scalar::certified && !std::holds_alternative<Tolerance>(options.triangle_rule);
+}
+
+/// Whether it is used. Where tests are listened to, or all hits are wanted, small scenes are left to the plain loop:
+/// what is heard of is then the lessons' own.
+bool uses_engine(const Scene& scene, const Options& options, bool for_pictures);
+
+}  // namespace glassbox

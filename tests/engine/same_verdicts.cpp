@@ -1,0 +1,117 @@
+// The engine against the plain certified loop: the same verdict, surface, t and number of hits for every ray.
+#include <doctest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "../certified/cases.hpp"
+#include "render/fast_search.hpp"
+#include "render/ready.hpp"
+#include "render/shoot.hpp"
+
+using namespace glassbox;
+using test::Case;
+
+namespace {
+
+using Verdict = Shot::Verdict;
+
+Options by(Engine engine) {
+    Options options;
+    options.engine = engine;
+    return options;
+}
+
+std::string shown(const Ray<double>& ray) {
+    std::ostringstream out;
+    out << std::hexfloat << ray.P.x << "," << ray.P.y << "," << ray.P.z << "," << ray.D.x << "," << ray.D.y << ","
+        << ray.D.z;
+    return out.str();
+}
+
+std::string shown(const Shot& shot) {
+    std::ostringstream out;
+    out.precision(21);
+    out << (shot.verdict == Verdict::hit    ? "hit of "
+            : shot.verdict == Verdict::miss ? "miss "
+                                            : "invalid ")
+        << shot.surface << " at " << shot.t << " ± " << shot.t_error << ", meets " << shot.hits;
+    return out.str();
+}
+
+bool same(const Shot& one, const Shot& other) {
+    return one.verdict == other.verdict && one.surface == other.surface && one.t == other.t && one.hits == other.hits &&
+           one.t_error == other.t_error;
+}
+
+/// How many rays the engine answers otherwise.
+int differences(const Case& c) {
+    int count = 0;
+    const auto differs = [&](const Ray<double>& ray, const std::string& expected, const std::string& got) {
+        if (++count <= 3)
+            MESSAGE(c.name << "\n  ray      " << shown(ray) << "\n  expected " << expected << "\n  got      " << got);
+    };
+    const std::vector<Shot> plain = shoot(c.scene, by(Engine::plain), c.rays, {1, {}, nullptr});
+    const std::vector<Shot> fast = shoot(c.scene, by(Engine::fast), c.rays, {1, {}, nullptr});
+    const FastSearch<Stable, Pluecker> nearest_only(ready(c.scene, 5, 1), {}, {});
+    const Silent silent;
+    for (std::size_t i = 0; i < c.rays.size(); ++i) {
+        const Ray<double>& ray = c.rays[i];
+        if (!same(plain[i], fast[i])) differs(ray, shown(plain[i]), shown(fast[i]));
+        // What bounds decide in the plain loop the engine need not ask exact arithmetic.
+        if (plain[i].by_filter && !fast[i].by_filter) differs(ray, "decided by bounds", "decided exactly");
+        const auto hit = nearest_only.trace(ray, silent);
+        if (hit.has_value() != (plain[i].verdict == Verdict::hit)) differs(ray, shown(plain[i]), hit ? "hit" : "miss");
+        else if (hit && hit->surface != plain[i].surface)
+            differs(ray, shown(plain[i]), "hit of " + std::to_string(hit->surface));
+    }
+    return count;
+}
+
+int differences(const std::vector<Case>& cases) {
+    int count = 0;
+    for (const Case& c : cases) count += differences(c);
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("through vertices and edges of meshes, at all scales and distances from the origin") {
+    CHECK(differences(test::meshes()) == 0);
+}
+TEST_CASE("starts one ulp apart") { CHECK(differences(test::grids()) == 0); }
+TEST_CASE("surfaces at the same distance") { CHECK(differences(test::ties()) == 0); }
+TEST_CASE("triangles of nearly no area") { CHECK(differences(test::slivers()) == 0); }
+TEST_CASE("spheres, far, grazed, huge and tiny") { CHECK(differences(test::spheres()) == 0); }
+TEST_CASE("sizes whose products overflow and underflow") { CHECK(differences(test::magnitudes()) == 0); }
+TEST_CASE("all sizes at once") { CHECK(differences(test::all_sizes()) == 0); }
+TEST_CASE("nothing special") { CHECK(differences(test::anything()) == 0); }
+
+TEST_CASE("a scene without surfaces") {
+    Case c{"empty", {}, {{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}};
+    CHECK(differences(c) == 0);
+}
+
+TEST_CASE("rays along the axes, in the faces of boxes and past them") {
+    // The box of each triangle has the faces x, y, z = whole numbers, and the rays run in these very faces.
+    Case c{"a grid of triangles", {}, {}};
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j)
+            c.scene.triangles.push_back(
+                {{Vec3<double>{1.0 * i, 1.0 * j, 0}, {i + 1.0, 1.0 * j, 0}, {1.0 * i, j + 1.0, (i + j) % 3 * 1.0}},
+                 {}});
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            for (int i = -1; i <= 17; ++i)
+                for (int j = -1; j <= 17; ++j) {
+                    double P[3], D[3] = {0, -0.0, 0};
+                    P[axis] = -sign * 20;
+                    P[(axis + 1) % 3] = i * 0.5;
+                    P[(axis + 2) % 3] = j * 0.5;
+                    D[axis] = sign;
+                    c.rays.push_back({{P[0], P[1], P[2]}, {D[0], D[1], D[2]}});
+                    D[(axis + 1) % 3] = 0x1p-70;  // hardly at all
+                    c.rays.push_back({{P[0], P[1], P[2]}, {D[0], D[1], D[2]}});
+                }
+    CHECK(differences(c) == 0);
+}
