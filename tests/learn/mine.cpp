@@ -1,0 +1,304 @@
+#include <doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include "learn/mine/maker.hpp"
+#include "learn/progress.hpp"
+#include "output/folder.hpp"
+#include "render/job.hpp"
+#include "render/render.hpp"
+#include "render/view.hpp"
+#include "scene/scene_file.hpp"
+
+using namespace glassbox;
+using namespace glassbox::learn;
+using namespace glassbox::learn::mine;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A learner's folder of the test's own, with the solutions of a lesson in it.
+struct Learner {
+    test::Folder folder;
+    Workspace workspace = open_workspace(ROOT, folder.path);
+    Maker maker;
+    std::vector<News> told;
+
+    const Exercise& exercise(int number) const { return exercise_called(workspace, std::to_string(number)); }
+
+    void write(const Exercise& of, const std::string& header, const std::string& text) const {
+        const fs::path path = workspace.header(of, header);
+        fs::create_directories(path.parent_path());
+        std::ofstream(path) << text;
+    }
+    std::string solution(const Exercise& of, const std::string& header) const {
+        return test::content(workspace.solution(of, header));
+    }
+    void solve(const Exercise& of) const {
+        for (const std::string& header : of.headers) write(of, header, solution(of, header));
+    }
+    /// The solution with a text in place of another.
+    void mistake(const Exercise& of, const std::string& header, const std::string& instead_of,
+                 const std::string& put) const {
+        std::string text = solution(of, header);
+        const std::size_t at = text.find(instead_of);
+        REQUIRE(at != std::string::npos);
+        write(of, header, text.replace(at, instead_of.size(), put));
+    }
+
+    /// The last news of a picture.
+    News draw(const Exercise& of, const Scene& scene, const Options& options) {
+        told.clear();
+        maker.make(workspace, of, scene, options, [&](News news) { told.push_back(std::move(news)); });
+        REQUIRE(!told.empty());
+        return told.back();
+    }
+};
+
+Scene paper() { return read_scene(ROOT "/scenes/levental-2014.toml"); }
+
+Options in_double(int stage) {
+    Options options;
+    options.stage = stage;
+    options.scalar = Scalar::double_;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("the solutions draw what we draw, to the last pixel, at every stage") {
+    Learner learner;
+    const Scene scene = paper();
+    for (int stage = 1; stage <= 5; ++stage) {
+        CAPTURE(stage);
+        const Exercise& exercise = learner.exercise(stage);
+        learner.solve(exercise);
+        const News news = learner.draw(exercise, scene, in_double(stage));
+        CHECK(news.stand == Stand::drawn);
+        CHECK(news.words == "");
+        CHECK(news.compile_seconds > 0);
+        REQUIRE(news.drawing);
+        CHECK(news.drawing->drawn == 500 * 500);
+        CHECK(news.drawing->not_numbers == 0);
+        CHECK(news.drawing->image.pixels == render(scene, in_double(stage)).pixels);
+    }
+    // The last one, compiled already: turned, by other rules, with a pinhole and a mesh.
+    const Exercise& turns = learner.exercise(5);
+    Options options = in_double(5);
+    options.turns = {{Axis::z, 20}, {Axis::y, -10}};
+    options.accumulated = true;
+    options.sphere_rule = Textbook{};
+    options.triangle_rule = Tolerance{10};
+    News news = learner.draw(turns, scene, options);
+    CHECK(news.compile_seconds == 0);
+    CHECK(learner.told.front().stand != Stand::compiling);
+    CHECK(news.drawing->image.pixels == render(scene, options).pixels);
+    options.triangle_rule = MoellerTrumbore{};
+    const Scene room = resized(read_scene(ROOT "/scenes/room.toml"), 37, 23);
+    news = learner.draw(turns, room, options);
+    CHECK(news.stand == Stand::drawn);
+    CHECK(news.drawing->image.pixels == render(room, options).pixels);
+}
+
+TEST_CASE("what is not begun, deleted or not written is told, and how to go on") {
+    Learner learner;
+    const Exercise& spheres = learner.exercise(2);
+    const Scene scene = paper();
+    News news = learner.draw(spheres, scene, in_double(2));
+    CHECK(news.stand == Stand::not_there);
+    CHECK(news.words.find("2-spheres is not begun: './glassbox learn test 2' makes the files that you write") !=
+          std::string::npos);
+
+    for (const std::string& header : spheres.headers)
+        learner.write(spheres, header, test::content(spheres.starter(header)));
+    news = learner.draw(spheres, scene, in_double(2));
+    CHECK(news.stand == Stand::not_written);
+    CHECK(news.spot == std::nullopt);  // it is the same at every pixel
+    CHECK(news.words.find("`intersect` is not written yet (") == 0);
+    CHECK(news.words.find("2-spheres/sphere.hpp:") != std::string::npos);
+
+    // The roots can be chosen: one rule can wait.
+    learner.mistake(spheres, "sphere.hpp", "const Vec3<Real> d = ray.D;",
+                    "return not_written<Roots<Real>>(\"Stable\");\n        const Vec3<Real> d = ray.D;");
+    learner.write(spheres, "crossing.hpp", learner.solution(spheres, "crossing.hpp"));
+    news = learner.draw(spheres, scene, in_double(2));
+    CHECK(news.words.find("`Stable` is not written yet (") == 0);
+    CHECK(news.words.find("until it is, another rule can be chosen in the controls") != std::string::npos);
+    Options textbook = in_double(2);
+    textbook.sphere_rule = Textbook{};
+    news = learner.draw(spheres, scene, textbook);
+    CHECK(news.compile_seconds == 0);
+    CHECK(news.stand == Stand::drawn);
+
+    fs::remove(learner.workspace.header(spheres, "sphere.hpp"));
+    news = learner.draw(spheres, scene, in_double(2));
+    CHECK(news.stand == Stand::not_there);
+    CHECK(news.words.find("sphere.hpp: error: there is no such file: was it deleted, or renamed?") !=
+          std::string::npos);
+    CHECK(news.drawing == nullptr);
+}
+
+TEST_CASE("what does not compile is told at its line, even if it is wrong in a hundred ways") {
+    Learner learner;
+    const Exercise& spheres = learner.exercise(2);
+    learner.solve(spheres);
+    learner.mistake(spheres, "sphere.hpp", "const Real b = dot(v, D);", "const Real b = dott(v, D);");
+    News news = learner.draw(spheres, paper(), in_double(2));
+    CHECK(news.stand == Stand::does_not_compile);
+    REQUIRE(news.error);
+    CHECK(news.error->yours);
+    CHECK(fs::path(news.error->place.file).filename() == "sphere.hpp");
+    const std::string text = test::content(learner.workspace.header(spheres, "sphere.hpp"));
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("dott")), '\n');
+    CHECK(news.error->place.line == static_cast<std::size_t>(line));
+    CHECK(news.words.find("dott") != std::string::npos);
+    CHECK(learner.told.front().stand == Stand::compiling);
+
+    std::string hundred;
+    for (int i = 0; i < 100; ++i) hundred += "struct { { ( [ template <class> > = ; #if }\n@ $ '\n";
+    learner.write(spheres, "sphere.hpp", hundred);
+    news = learner.draw(spheres, paper(), in_double(2));
+    CHECK(news.stand == Stand::does_not_compile);
+    CHECK(news.words != "");
+    CHECK(news.drawing == nullptr);
+
+    learner.solve(spheres);
+    CHECK(learner.draw(spheres, paper(), in_double(2)).stand == Stand::drawn);
+}
+
+TEST_CASE("hostile code is told in words, at its pixel, and what it drew before stays") {
+    Learner learner;
+    const Exercise& spheres = learner.exercise(2);
+    learner.solve(spheres);
+    // The ray of column j and row i starts at (500, j, i), and pixel (x, y) is column x, row 499 − y: this is (240,
+    // 128), one of the first that are drawn.
+    learner.mistake(spheres, "sphere.hpp", "probe(told::Tested{});\n",
+                    "probe(told::Tested{});\n    if (ray.P.y == 240 && ray.P.z == 371) hostile();\n");
+    std::string text = test::content(learner.workspace.header(spheres, "sphere.hpp"));
+    text.replace(text.find("namespace glassbox {"), 0, R"(
+#include <cstdio>
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+inline volatile int zero = 0, one = 1;
+inline double* volatile null = nullptr;
+inline int without_end(int n) { return n == -1 ? 0 : without_end(n + one) + 1; }
+inline void hostile() {
+    const std::string kind = std::getenv("GLASSBOX_TEST_KIND");
+    if (kind == "null") *null = 1;
+    if (kind == "stack") without_end(0);
+    if (kind == "loop") while (one) {}
+    if (kind == "print") while (one) std::puts("I am here, and here, and here, and here, and here, and here, and here");
+    if (kind == "exit") std::exit(0);
+    if (kind == "abort") std::abort();
+    if (kind == "exception") throw std::runtime_error("the radius is negative");
+    if (kind == "divide") zero = one / 2 + 7 / zero;
+    if (kind == "memory") for (std::vector<std::vector<char>> all;;) all.emplace_back(std::size_t{64} << 20, 'x');
+    if (kind == "say") std::puts("hello");
+}
+)");
+    learner.write(spheres, "sphere.hpp", text);
+    const Scene scene = paper();
+    const Image ours = render(scene, in_double(2));
+    const auto end = [&](const char* kind) {
+        ::setenv("GLASSBOX_TEST_KIND", kind, 1);
+        return learner.draw(spheres, scene, in_double(2));
+    };
+    const std::pair<const char*, const char*> kinds[] = {
+        {"null", "at pixel (240, 128) it followed a null pointer (address 0x0)"},
+        {"stack", "at pixel (240, 128) its stack overflowed: a function that calls itself without end?"},
+        {"loop", "at pixel (240, 128) it ran for 3 s without ending: an endless loop?"},
+        {"exit", "at pixel (240, 128) it called exit(0) before its work was done"},
+        {"abort", "at pixel (240, 128) it gave up (abort)"},
+        {"exception", "at pixel (240, 128) it threw an exception that nobody caught: the radius is negative"},
+#if defined(__x86_64__) || defined(__i386__)  // elsewhere 7 / 0 may be a number
+        {"divide", "at pixel (240, 128) it divided a whole number by zero"},
+#endif
+    };
+    for (const auto& [kind, words] : kinds) {
+        const News news = end(kind);
+        CHECK(news.stand == Stand::failed);
+        CHECK(news.words == words);
+        CHECK(news.spot == Spot{240, 128});
+        // The coarse pixels before it, 16 apart, are drawn: 8 rows of 32, and 15 of the ninth. (0, 0) lies on the
+        // border.
+        CHECK(news.drawing->drawn == 8 * 32 + 15);
+        CHECK(news.drawing->states[240 + 500 * 128] == SheetPixel::not_drawn);
+        CHECK(news.drawing->image.at(224, 128) == ours.at(224, 128));
+    }
+    const News print = end("print");
+    CHECK(print.stand == Stand::failed);
+    CHECK(print.spot == Spot{240, 128});
+    CHECK(print.words.find("without ending: an endless loop") != std::string::npos);  // as to time, or as to output
+    CHECK(print.said.find("I am here, and here") == 0);
+    const News memory = end("memory");
+    CHECK(memory.spot == Spot{240, 128});
+    CHECK(memory.words.find("at pixel (240, 128) it asked for more memory than it may have (10") == 0);
+    const News fine = end("say");
+    CHECK(fine.stand == Stand::drawn);
+    CHECK(fine.spot == std::nullopt);
+    CHECK(fine.said == "hello\nhello\n");  // there are two spheres
+    CHECK(fine.drawing->image.pixels == ours.pixels);
+}
+
+TEST_CASE("numbers that are none are counted, and their pixels known") {
+    Learner learner;
+    const Exercise& spheres = learner.exercise(2);
+    learner.solve(spheres);
+    // 0/0 in every root. Nothing is less or greater than not a number: everything is missed.
+    learner.mistake(spheres, "sphere.hpp", "const Real root = sqrt(discriminant);\n        const Real q",
+                    "const Real root = (b - b) / (a - a);\n        const Real q");
+    const Scene scene = paper();
+    const News news = learner.draw(spheres, scene, in_double(2));
+    CHECK(news.stand == Stand::drawn);
+    // The pixels whose rays meet a sphere's line: with the solution, those that are not background. From the top left
+    // the first is the top of the green sphere: centre row 350, radius 50, so row 400, y = 99, at column 350.
+    Scene plain = scene;
+    plain.border.reset();
+    const Image ours = render(plain, in_double(2));
+    const auto hit =
+        std::count_if(ours.pixels.begin(), ours.pixels.end(), [&](Rgb c) { return c != scene.background; });
+    CHECK(news.drawing->not_numbers == hit);
+    CHECK(news.spot == Spot{350, 99});
+    CHECK(news.words ==
+          std::to_string(hit) + " pixels are made of something that is not a number (NaN), the first at (350, 99)");
+    CHECK(news.drawing->states[350 + 500 * 99] == SheetPixel::not_a_number);
+    CHECK(news.drawing->states[350 + 500 * 98] == SheetPixel::drawn);
+}
+
+TEST_CASE("a drawing can be stopped") {
+    Learner learner;
+    const Exercise& spheres = learner.exercise(2);
+    learner.solve(spheres);
+    std::stop_source source;
+    source.request_stop();
+    CHECK_THROWS_AS(learner.maker.make(
+                        learner.workspace, spheres, paper(), in_double(2), [](const News&) {}, source.get_token()),
+                    Cancelled);
+}
+
+TEST_CASE("the lesson where the learner is") {
+    Learner learner;
+    CHECK(present_exercise(learner.workspace).number == 1);
+    learner.solve(learner.exercise(3));
+    CHECK(present_exercise(learner.workspace).number == 3);  // begun, so that is where one is
+    learner.solve(learner.exercise(2));
+    CHECK(present_exercise(learner.workspace).number == 2);
+    fs::create_directories(learner.workspace.hidden());
+    Progress progress;
+    progress.lessons["2-spheres"].passed = true;
+    write_progress(learner.workspace.hidden() / "progress.json", progress);
+    CHECK(present_exercise(learner.workspace).number == 3);
+}
+
+TEST_CASE("each pixel is drawn once, whatever the size") {
+    for (const auto& [width, height] : {std::pair{1, 1}, {16, 16}, {17, 33}, {500, 3}}) {
+        std::vector<int> times(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+        coarse_first(width, height, [&, w = width](int x, int y) { ++times[static_cast<std::size_t>(y * w + x)]; });
+        CHECK(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
+    }
+}
