@@ -41,7 +41,7 @@ private:
     Vec3<double> lo_{inf, inf, inf}, hi_{-inf, -inf, -inf};
 };
 
-void put(double (&to)[3][width], std::uint32_t at, const Vec3<double>& v) {
+void put(double (&to)[3][fan_out], std::uint32_t at, const Vec3<double>& v) {
     to[0][at] = v.x;
     to[1][at] = v.y;
     to[2][at] = v.z;
@@ -77,24 +77,24 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
     const auto add_block = [&](std::span<const std::uint32_t> surfaces) {
         Block& block = blocks_.emplace_back();
         block.count = static_cast<std::uint32_t>(surfaces.size());
-        for (std::uint32_t at = 0; at < width; ++at) {
+        for (std::uint32_t at = 0; at < fan_out; ++at) {
             const std::uint32_t surface = surfaces[std::min<std::size_t>(at, surfaces.size() - 1)];
             const std::size_t number = surface - spheres_.size();
             block.surface[at] = surface;
             put(block.A, at, triangles[number].A);
             put(block.B, at, triangles[number].B);
             put(block.C, at, triangles[number].C);
-            if (at < block.count) place_[number] = static_cast<std::uint32_t>(blocks_.size() - 1) * width + at;
+            if (at < block.count) place_[number] = static_cast<std::uint32_t>(blocks_.size() - 1) * fan_out + at;
         }
     };
-    blocks_.reserve(hierarchy_.triangle_leaves.size() + loose_.size() / width + 1);
+    blocks_.reserve(hierarchy_.triangle_leaves.size() + loose_.size() / fan_out + 1);
     for (const auto& [first, count] : hierarchy_.triangle_leaves)
         add_block(std::span(hierarchy_.surfaces).subspan(first, count));
     std::span<const std::uint32_t> rest = loose_;
     rest = rest.subspan(static_cast<std::size_t>(
         std::ranges::lower_bound(rest, static_cast<std::uint32_t>(spheres_.size())) - rest.begin()));
-    for (; !rest.empty(); rest = rest.subspan(std::min<std::size_t>(rest.size(), width)))
-        add_block(rest.first(std::min<std::size_t>(rest.size(), width)));
+    for (; !rest.empty(); rest = rest.subspan(std::min<std::size_t>(rest.size(), fan_out)))
+        add_block(rest.first(std::min<std::size_t>(rest.size(), fan_out)));
 }
 
 std::size_t Engine::bytes() const {

@@ -14,8 +14,8 @@ namespace glassbox::engine {
 /// The triangles of a leaf, coordinate by coordinate, as vectors read them. Places that are left over repeat the last
 /// triangle.
 struct alignas(64) Block {
-    double A[3][width], B[3][width], C[3][width];
-    std::uint32_t surface[width];
+    double A[3][fan_out], B[3][fan_out], C[3][fan_out];
+    std::uint32_t surface[fan_out];
     std::uint32_t count;
 
     Triangle<double> triangle(std::uint32_t at) const {
@@ -46,7 +46,7 @@ public:
 
     Triangle<double> triangle(std::size_t surface) const {
         const std::uint32_t place = place_[surface - spheres_.size()];
-        return blocks_[place / width].triangle(place % width);
+        return blocks_[place / fan_out].triangle(place % fan_out);
     }
 
     /// Calls `use` with the sphere or the triangle of that number.

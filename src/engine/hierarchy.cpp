@@ -110,7 +110,7 @@ struct Cut {
 };
 
 /// How many tests of a whole leaf some surfaces take.
-float leaves(std::uint32_t count) { return static_cast<float>((count + width - 1) / width); }
+float leaves(std::uint32_t count) { return static_cast<float>((count + fan_out - 1) / fan_out); }
 
 Cut best_cut(const Bins& all, const Binning& binning) {
     Cut best;
@@ -146,7 +146,7 @@ bool all_of_one_kind(std::span<Boxed> surfaces) {
 }
 
 /// Whether they make a leaf.
-bool fits_a_leaf(std::span<Boxed> surfaces) { return surfaces.size() <= width && all_of_one_kind(surfaces); }
+bool fits_a_leaf(std::span<Boxed> surfaces) { return surfaces.size() <= fan_out && all_of_one_kind(surfaces); }
 
 /// How many surfaces come first after those that go to the left are moved there. Few of two kinds are parted by kind;
 /// those that no plane parts, and those so deep down that no heuristic helps, in the middle.
@@ -155,7 +155,7 @@ std::size_t arranged(const Part& part, int depth) {
         const auto middle = std::partition(part.surfaces.begin(), part.surfaces.end(), goes_left);
         return static_cast<std::size_t>(middle - part.surfaces.begin());
     };
-    if (part.surfaces.size() <= width) return moved([](const Boxed& one) { return one.is_sphere; });
+    if (part.surfaces.size() <= fan_out) return moved([](const Boxed& one) { return one.is_sphere; });
     if (depth > deep) return part.surfaces.size() / 2;
     const Binning binning(part.extent.middles);
     const Bins all = summed<Bins>(part.surfaces, [&](std::span<Boxed> some, Bins& result) {
@@ -204,9 +204,9 @@ public:
 
 private:
     void make_node(std::uint32_t number, const Part& part, int depth) {
-        Part parts[width] = {part};
+        Part parts[fan_out] = {part};
         int count = 1;
-        while (count < width) {
+        while (count < fan_out) {
             Part* largest = nullptr;
             for (Part& one : std::span(parts, static_cast<std::size_t>(count)))
                 if (!fits_a_leaf(one.surfaces) &&
@@ -218,7 +218,7 @@ private:
         }
         Node& node = nodes_[number];
         tbb::task_group others;
-        for (int i = 0; i < width; ++i) {
+        for (int i = 0; i < fan_out; ++i) {
             if (i >= count) {
                 set_child(node, i, {}, Child::nothing);
                 continue;
@@ -247,7 +247,7 @@ private:
     std::uint32_t add_copy(std::uint32_t number, Hierarchy& result) {
         const auto here = static_cast<std::uint32_t>(result.nodes.size());
         result.nodes.push_back(nodes_[number]);
-        for (int i = 0; i < width; ++i) {
+        for (int i = 0; i < fan_out; ++i) {
             const std::uint32_t child = result.nodes[here].child[i];
             if (child == Child::nothing) continue;
             const std::uint32_t copied =

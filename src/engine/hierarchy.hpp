@@ -8,7 +8,7 @@ namespace glassbox::engine {
 
 /// How many children a node has, and how many surfaces a leaf holds: as many as the widest vectors of today hold floats
 /// of one AVX register, or doubles of one AVX-512 register.
-inline constexpr int width = 8;
+inline constexpr int fan_out = 8;
 
 /// No hierarchy is deeper.
 inline constexpr int most_levels = 100;
@@ -25,8 +25,8 @@ struct Child {
 
 /// Eight children and their boxes, axis by axis, as vectors read them.
 struct alignas(32) Node {
-    float lo[3][width], hi[3][width];
-    std::uint32_t child[width];
+    float lo[3][fan_out], hi[3][fan_out];
+    std::uint32_t child[fan_out];
 };
 
 /// A box with a surface in it.

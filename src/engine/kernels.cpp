@@ -1,5 +1,7 @@
 #include "engine/kernels.hpp"
 
+#include "engine/tile.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -16,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Several doubles at once: a scalar to the core's formulas.
 struct Doubles {
-    using Tag = hn::CappedTag<double, width>;
+    using Tag = hn::CappedTag<double, fan_out>;
     using V = hn::Vec<Tag>;
     V v = hn::Zero(Tag());
 
@@ -36,7 +38,7 @@ HWY_ATTR Doubles abs(const Doubles& a) { return hn::Abs(a.v); }
 
 HWY_ATTR Vec3<Doubles> broadcast(const glassbox::Vec3<double>& a) { return {Doubles(a.x), Doubles(a.y), Doubles(a.z)}; }
 
-HWY_ATTR Vec3<Doubles> load(const double (&from)[3][width], std::size_t at) {
+HWY_ATTR Vec3<Doubles> load(const double (&from)[3][fan_out], std::size_t at) {
     const Doubles::Tag d;
     return {hn::Load(d, from[0] + at), hn::Load(d, from[1] + at), hn::Load(d, from[2] + at)};
 }
@@ -56,10 +58,10 @@ struct Visit {
 };
 
 /// The children that the ray meets before `until`, and where it enters each.
-HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float until, float (&entries)[width]) {
-    const hn::CappedTag<float, width> d;
+HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float until, float (&entries)[fan_out]) {
+    const hn::CappedTag<float, fan_out> d;
     std::uint32_t met = 0;
-    for (std::size_t at = 0; at < width; at += hn::Lanes(d)) {
+    for (std::size_t at = 0; at < fan_out; at += hn::Lanes(d)) {
         auto entry = hn::Zero(d);
         auto exit = hn::Set(d, until);
         for (int k = 0; k < 3; ++k) {
@@ -79,7 +81,7 @@ HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float u
 HWY_ATTR void Walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, void* state,
                    WalkCounts& counts) {
     if (hierarchy.nodes.empty()) return;
-    Visit stack[(width - 1) * most_levels + width];
+    Visit stack[(fan_out - 1) * most_levels + fan_out];
     std::size_t depth = 0;
     stack[depth++] = {0, 0};
     while (depth > 0) {
@@ -90,10 +92,10 @@ HWY_ATTR void Walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, V
             continue;
         }
         const Node& node = hierarchy.nodes[child];
-        alignas(32) float entries[width];
+        alignas(32) float entries[fan_out];
         std::uint32_t met = children_met(node, ray, until, entries);
         ++counts.nodes;
-        counts.boxes_missed += static_cast<std::uint32_t>(width - __builtin_popcount(met));
+        counts.boxes_missed += static_cast<std::uint32_t>(fan_out - __builtin_popcount(met));
         const std::size_t first = depth;
         for (; met != 0; met &= met - 1) {
             const auto i = static_cast<std::uint32_t>(__builtin_ctz(met));
@@ -113,7 +115,7 @@ HWY_ATTR std::uint32_t NotMissed(const Block& block, const Ray<double>& ray) {
     const Vec3<Doubles> P = broadcast(ray.P), D = broadcast(ray.D);
     const Doubles D_size(20 * 0x1p-53 * (std::abs(ray.D.x) + std::abs(ray.D.y) + std::abs(ray.D.z)));
     std::uint32_t result = 0;
-    for (std::size_t at = 0; at < width; at += hn::Lanes(d)) {
+    for (std::size_t at = 0; at < fan_out; at += hn::Lanes(d)) {
         const Vec3<Doubles> A = load(block.A, at) - P, B = load(block.B, at) - P, C = load(block.C, at) - P;
         const Doubles a = side(D, B, C), b = side(D, C, A), c = side(D, A, B);
         const auto size = [](const Vec3<Doubles>& v) HWY_ATTR { return max(max(abs(v.x), abs(v.y)), abs(v.z)); };
@@ -126,6 +128,376 @@ HWY_ATTR std::uint32_t NotMissed(const Block& block, const Ray<double>& ray) {
     return result & ((1u << block.count) - 1);
 }
 
+/// A tile's rays from the middle of it: where each is, in pixels to the right and upwards.
+struct Offsets {
+    alignas(64) float right[tile_size], up[tile_size];
+
+    constexpr Offsets() : right(), up() {
+        for (int i = 0; i < tile_size; ++i) {
+            right[i] = static_cast<float>(i % tile_side) - (tile_side - 1) * 0.5f;
+            up[i] = static_cast<float>(i / tile_side) - (tile_side - 1) * 0.5f;
+        }
+    }
+};
+inline constexpr Offsets offsets;
+inline constexpr double half_tile = (tile_side - 1) * 0.5;
+
+/// Half-spaces that hold all of a tile's rays: w·x + d ≥ 0 where x is relative to the engine's middle. d has been made
+/// larger by what floats may lose.
+struct Frustum {
+    float w[4][3], d[4];
+    /// A point x at t on some ray of the tile has ahead·x + ahead_far ≥ 0 and ahead·x + ahead_near ≤ t·pace.
+    float ahead[3], ahead_near, ahead_far;
+    double pace;
+};
+
+/// A half-space in floats: n·x + d ≥ 0, multiplied so that floats hold it. Each of four terms is rounded at most six
+/// times, relatively by 2⁻²⁴; d is off by `doubt` times the size of n.
+inline void set_plane(const glassbox::Vec3<double>& n, double d, double doubt, double reach, float (&w)[3], float& at) {
+    const double scale = 1 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    const double x = n.x * scale, y = n.y * scale, z = n.z * scale;
+    w[0] = static_cast<float>(x);
+    w[1] = static_cast<float>(y);
+    w[2] = static_cast<float>(z);
+    const double size = std::abs(x) + std::abs(y) + std::abs(z);
+    at = rounded_up(d * scale + 0x1p-21 * (size * reach + std::abs(d * scale)) + size * doubt);
+}
+
+/// The start of a tile's middle ray relative to the engine's middle, and its direction.
+struct MiddleRay {
+    glassbox::Vec3<double> P, D;
+};
+
+/// False if rounding might put a ray outside: the tile is then not to be traced as one.
+inline bool set_frustum(Frustum& frustum, const Engine& engine, const Grid& grid, const MiddleRay& middle) {
+    using Vector = glassbox::Vec3<double>;
+    using glassbox::cross, glassbox::dot;
+    const double reach = static_cast<double>(engine.around().reach());
+    constexpr double outside = half_tile + 0.01;  // in pixels
+    const auto size = [](const Vector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    const auto side = [&](const Vector& across, const Vector& along, double by, float(&w)[3], float& d) {
+        // Of the rays' plane through the tile's edge: spanned by the edge, and by a ray there.
+        const Vector at_edge = grid.pinhole ? middle.D + by * across : middle.D;
+        const Vector start = grid.pinhole ? middle.P : middle.P + by * across;
+        Vector n = cross(at_edge, along);
+        double inwards = -by * dot(n, across) / outside;
+        if (inwards < 0) {
+            n = -n;
+            inwards = -inwards;
+        }
+        set_plane(n, -dot(n, start), 0x1p-50 * size(start), reach, w, d);
+        // A hundredth of a pixel must be more than what rounding does to the rays, and to n.
+        const double steps = (grid.pinhole ? size(at_edge) : 0) + 4 * (size(across) + size(along));
+        const double rounded = size(n) * grid.ray_error + 0x1p-48 * size(at_edge) * size(along) * steps;
+        return inwards * 0.01 > 2 * rounded;
+    };
+    const bool holds = side(grid.right, grid.up, -outside, frustum.w[0], frustum.d[0]) &&
+                       side(grid.right, grid.up, outside, frustum.w[1], frustum.d[1]) &&
+                       side(grid.up, grid.right, -outside, frustum.w[2], frustum.d[2]) &&
+                       side(grid.up, grid.right, outside, frustum.w[3], frustum.d[3]);
+    if (!holds) return false;
+
+    const double longest = std::max({std::abs(middle.D.x), std::abs(middle.D.y), std::abs(middle.D.z)});
+    const Vector ahead = middle.D / longest;
+    const double by_step = outside * (std::abs(dot(ahead, grid.right)) + std::abs(dot(ahead, grid.up)));
+    const double slack = (grid.pinhole ? grid.ray_error : 0) + 0x1p-48 * size(middle.D);
+    const double start_slack = (grid.pinhole ? 0 : grid.ray_error) + 0x1p-48 * size(middle.P);
+    const double straight = dot(ahead, middle.D), begin = dot(ahead, middle.P);
+    // Along a ray from its start `ahead` grows by t times this, at least and at most.
+    const double slowest = grid.pinhole ? straight - by_step - slack : straight - slack;
+    frustum.pace = grid.pinhole ? straight + by_step + slack : straight + slack;
+    const double first = begin - start_slack - (grid.pinhole ? 0 : by_step);
+    const double last = begin + start_slack + (grid.pinhole ? 0 : by_step);
+    if (!(slowest > 0)) return false;
+    set_plane(ahead, -first, 0, reach, frustum.ahead, frustum.ahead_far);
+    set_plane(-ahead, last, 0, reach, frustum.ahead, frustum.ahead_near);
+    for (float& w : frustum.ahead) w = -w;
+    frustum.ahead_near = -frustum.ahead_near;
+    return true;
+}
+
+/// The children whose boxes the frustum meets, not beyond `until`; and how near each begins.
+HWY_ATTR std::uint32_t children_met(const Node& node, const Frustum& frustum, float until, float (&entries)[fan_out]) {
+    const hn::CappedTag<float, fan_out> d;
+    std::uint32_t met = 0;
+    for (std::size_t at = 0; at < fan_out; at += hn::Lanes(d)) {
+        // The corner of the box that lies farthest along w, and the one that lies least.
+        const auto most = [&](const float(&w)[3], auto sum) HWY_ATTR {
+            for (int k = 0; k < 3; ++k)
+                sum = hn::MulAdd(hn::Set(d, w[k]), hn::Load(d, (w[k] > 0 ? node.hi : node.lo)[k] + at), sum);
+            return sum;
+        };
+        const auto least = [&](const float(&w)[3], auto sum) HWY_ATTR {
+            for (int k = 0; k < 3; ++k)
+                sum = hn::MulAdd(hn::Set(d, w[k]), hn::Load(d, (w[k] > 0 ? node.lo : node.hi)[k] + at), sum);
+            return sum;
+        };
+        auto inside = most(frustum.w[0], hn::Set(d, frustum.d[0]));
+        for (int plane = 1; plane < 4; ++plane)
+            inside = hn::Min(inside, most(frustum.w[plane], hn::Set(d, frustum.d[plane])));
+        inside = hn::Min(inside, most(frustum.ahead, hn::Set(d, frustum.ahead_far)));
+        const auto entry = least(frustum.ahead, hn::Set(d, frustum.ahead_near));
+        hn::StoreU(entry, d, entries + at);
+        met |= bits_of(d, hn::And(hn::Ge(inside, hn::Zero(d)), hn::Le(entry, hn::Set(d, until)))) << at;
+    }
+    return met;
+}
+
+/// What a tile's rays need to know of eight triangles. An edge's number at a ray is value + dj·right + di·up, not
+/// negative if the triangle may be hit, and above `sure` if it is.
+struct Linear {
+    alignas(64) float value[fan_out], right[fan_out], up[fan_out];
+};
+struct Triangles {
+    Linear edge[3];
+    alignas(64) float sure[3][fan_out];
+    Linear key;
+    alignas(64) float key_error[fan_out];
+};
+
+/// Traces one tile.
+class TileKernel {
+    using Floats = hn::ScalableTag<float>;
+    using Words = hn::RebindToUnsigned<Floats>;
+
+public:
+    HWY_ATTR TileKernel(const Engine& engine, const Grid& grid, int column, int row, Tile& tile)
+        : engine_(engine), grid_(grid), tile_(tile) {
+        const double j = column + half_tile, i = row + half_tile;
+        const glassbox::Vec3<double> at = grid.corner + j * grid.right + i * grid.up;
+        start_ = grid.pinhole ? grid.eye : at;
+        direction_ = grid.pinhole ? at - grid.eye : grid.direction;
+        const float nothing_yet = grid.pinhole ? 0 : -std::numeric_limits<float>::infinity();
+        fill(no_surface, nothing_yet);
+    }
+
+    HWY_ATTR void operator()() {
+        const Hierarchy& hierarchy = engine_.hierarchy();
+        if (!engine_.loose().empty()) return give_up();
+        if (hierarchy.nodes.empty()) return;
+        Frustum frustum;
+        if (!set_frustum(frustum, engine_, grid_, {start_ - engine_.middle(), direction_})) return give_up();
+        float until = std::numeric_limits<float>::infinity();
+        Visit stack[(fan_out - 1) * most_levels + fan_out];
+        std::size_t depth = 0;
+        stack[depth++] = {0, -std::numeric_limits<float>::infinity()};
+        while (depth > 0) {
+            const auto [child, at] = stack[--depth];
+            if (at > until) continue;
+            if (Child::is_leaf(child)) {
+                if (Child::is_of_spheres(child)) return give_up();
+                if (test(engine_.blocks()[Child::index(child)])) until = end_of(frustum);
+                continue;
+            }
+            const Node& node = hierarchy.nodes[child];
+            alignas(32) float entries[fan_out];
+            std::uint32_t met = children_met(node, frustum, until, entries);
+            const std::size_t first = depth;
+            for (; met != 0; met &= met - 1) {
+                const auto i = static_cast<std::uint32_t>(__builtin_ctz(met));
+                const Visit one{node.child[i], entries[i]};
+                std::size_t place = depth++;
+                for (; place > first && stack[place - 1].entry < one.entry; --place) stack[place] = stack[place - 1];
+                stack[place] = one;
+            }
+        }
+    }
+
+private:
+    HWY_ATTR void fill(std::uint32_t surface, float key) {
+        const Floats f;
+        const Words w;
+        for (std::size_t i = 0; i < tile_size; i += hn::Lanes(f)) {
+            hn::Store(hn::Set(f, key), f, tile_.key_low + i);
+            hn::Store(hn::Set(f, key), f, tile_.key_high + i);
+            hn::Store(hn::Set(w, surface), w, tile_.surface + i);
+        }
+        least_key_ = key;
+    }
+
+    void give_up() { fill(not_told, 0); }
+
+    /// How far ahead of the tile a box may begin and still hold what is nearer than all that was met.
+    float end_of(const Frustum& frustum) const {
+        return rounded_up(t_of_key(grid_, least_key_) * frustum.pace * (1 + 0x1p-40));
+    }
+
+    /// Tests a block's triangles against all rays; true if all rays have now met something nearer than before.
+    HWY_ATTR bool test(const Block& block) {
+        Triangles triangles;
+        std::uint32_t unoriented = 0;
+        std::uint32_t left = set_up(block, triangles, unoriented) & ((1u << block.count) - 1);
+        if (left == 0) return false;
+        for (; left != 0; left &= left - 1) {
+            const auto at = static_cast<std::size_t>(__builtin_ctz(left));
+            draw(triangles, at, block.surface[at]);
+            if ((unoriented >> at & 1) == 0) continue;
+            turn_over(triangles, at);
+            draw(triangles, at, block.surface[at]);
+        }
+        const Floats f;
+        auto least = hn::Load(f, tile_.key_low);
+        for (std::size_t i = hn::Lanes(f); i < tile_size; i += hn::Lanes(f))
+            least = hn::Min(least, hn::Load(f, tile_.key_low + i));
+        const float before = least_key_;
+        least_key_ = hn::GetLane(hn::MinOfLanes(f, least));
+        return least_key_ > before;
+    }
+
+    /// A number that is linear within the tile, in doubles.
+    struct Line {
+        Doubles value, right, up;
+
+        /// The most that it differs from its value.
+        HWY_ATTR Doubles spread() const { return Doubles(half_tile) * (abs(right) + abs(up)); }
+    };
+
+    HWY_ATTR static void store(const Line& line, std::size_t at, Linear& to) {
+        store(line.value, to.value + at);
+        store(line.right, to.right + at);
+        store(line.up, to.up + at);
+    }
+    HWY_ATTR static void store(const Doubles& numbers, float* to) {
+        const hn::Rebind<float, Doubles::Tag> f;
+        hn::Store(hn::DemoteTo(f, numbers.v), f, to);
+    }
+    HWY_ATTR static Line times(const Doubles& factor, const Line& line) {
+        return {factor * line.value, factor * line.right, factor * line.up};
+    }
+
+    /// What the rays need to know of the triangles; those that some ray may hit, before all that was met, a bit each.
+    ///
+    /// The bounds, with E = m(m side1 + side2) of Grid for the doubles:
+    /// - a side product in floats: 6 roundings of 2⁻²⁴ at most, relatively to |value| + 3.5(|right| + |up|), and E;
+    /// - V = |A B C|: F = m²(m volume1 + volume2);
+    /// - the sum of the side products: 4E;
+    /// - the key: of a quotient n/d with errors N and M, (N + |n/d| M)/(|d| − M), and 8 roundings in floats.
+    /// All are made larger by 2⁻¹⁰ of them for their own rounding, and by 2⁻¹¹⁰ for underflow.
+    HWY_ATTR std::uint32_t set_up(const Block& block, Triangles& result, std::uint32_t& unoriented) const {
+        const Doubles::Tag d;
+        const Vec3<Doubles> P = broadcast(start_), D = broadcast(grid_.direction_scale * direction_);
+        const double scale = grid_.pinhole ? grid_.direction_scale : 1;
+        const Vec3<Doubles> right = broadcast(scale * grid_.right), up = broadcast(scale * grid_.up);
+        const Doubles larger(1 + 0x1p-10), tiny(0x1p-110), float_error(0x1p-24), one(1);
+        std::uint32_t left = 0;
+        for (std::size_t at = 0; at < fan_out; at += hn::Lanes(d)) {
+            const Vec3<Doubles> A = load(block.A, at) - P, B = load(block.B, at) - P, C = load(block.C, at) - P;
+            const auto size = [](const Vec3<Doubles>& v) HWY_ATTR { return max(max(abs(v.x), abs(v.y)), abs(v.z)); };
+            const Doubles m = max(max(size(A), size(B)), size(C));
+            const Doubles E = m * (m * Doubles(grid_.side1) + Doubles(grid_.side2));
+            const Doubles F = m * m * (m * Doubles(grid_.volume1) + Doubles(grid_.volume2));
+            const Vec3<Doubles> a = cross(C, B), b = cross(A, C), c = cross(B, A), all = a + b + c;
+            const auto edge = [&](const Vec3<Doubles>& moment, const Vec3<Doubles>& from, const Vec3<Doubles>& to)
+                                  HWY_ATTR -> Line {
+                if (grid_.pinhole) return {dot(D, moment), dot(right, moment), dot(up, moment)};
+                const Vec3<Doubles> turned = cross(to - from, D);
+                return {dot(D, moment), dot(right, turned), dot(up, turned)};
+            };
+            Line edges[3] = {edge(a, B, C), edge(b, C, A), edge(c, A, B)};
+            const Doubles volume = dot(A, a), sum = edges[0].value + edges[1].value + edges[2].value;
+
+            // t = V/sum; its key is 1/t or −t.
+            const Doubles key_scale(grid_.key_scale);
+            const Doubles under = grid_.pinhole ? volume : sum,
+                          under_error = (grid_.pinhole ? F : Doubles(4) * E) * larger;
+            const Doubles over_error = (grid_.pinhole ? Doubles(4) * E : F) * key_scale;
+            const Line over = grid_.pinhole
+                                  ? Line{key_scale * sum, key_scale * dot(right, all), key_scale * dot(up, all)}
+                                  : Line{key_scale * (-volume), key_scale * dot(right, all), key_scale * dot(up, all)};
+            const Doubles safe = abs(under) - under_error;
+            const auto oriented = hn::Gt(safe.v, hn::Zero(d));
+            const Doubles inverse = hn::Div(one.v, hn::IfThenElse(oriented, under.v, one.v));
+            const Line key = times(inverse, over);
+            const Doubles key_most = abs(key.value) + key.spread();
+            Doubles key_error =
+                hn::Div((over_error + key_most * under_error).v, hn::IfThenElse(oriented, safe.v, one.v));
+            key_error = (key_error + Doubles(8) * float_error * key_most) * larger + tiny;
+
+            // Where the sign of the denominator is sure the side products must have it, too. Where it is not, they may
+            // have either, and what is possible is not told: such triangles are seen edge-on, or from their own plane.
+            const Doubles sign = hn::CopySign(one.v, under.v);
+            auto met = hn::Le(hn::Zero(d), hn::Zero(d));
+            for (int k = 0; k < 3; ++k) {
+                const Doubles error =
+                    (E + Doubles(6) * float_error * (abs(edges[k].value) + edges[k].spread())) * larger + tiny;
+                edges[k] = times(sign, edges[k]);
+                edges[k].value = edges[k].value + error;
+                met = hn::And(met, hn::Ge((edges[k].value + edges[k].spread()).v, hn::Zero(d)));
+                store(edges[k], at, result.edge[k]);
+                store((error + error) * larger, result.sure[k] + at);
+            }
+            met = hn::And(
+                met, hn::Ge((key.value + key.spread() + key_error).v, hn::Set(d, static_cast<double>(least_key_))));
+            if (!grid_.pinhole) met = hn::And(met, hn::Lt((key.value - key.spread() - key_error).v, hn::Zero(d)));
+            store(key, at, result.key);
+            store(key_error, result.key_error + at);
+            unoriented |= bits_of(d, hn::Not(oriented)) << at;
+            left |= bits_of(d, met) << at;
+        }
+        for (std::uint32_t rest = unoriented; rest != 0; rest &= rest - 1) {
+            const int at = __builtin_ctz(rest);
+            result.key.value[at] = result.key.right[at] = result.key.up[at] = 0;
+            result.key_error[at] = std::numeric_limits<float>::infinity();
+        }
+        return left | unoriented;
+    }
+
+    /// Looks at a triangle from its other side: s + error becomes −s + error.
+    static void turn_over(Triangles& triangles, std::size_t at) {
+        for (int k = 0; k < 3; ++k) {
+            Linear& edge = triangles.edge[k];
+            edge.value[at] = triangles.sure[k][at] - edge.value[at];
+            edge.right[at] = -edge.right[at];
+            edge.up[at] = -edge.up[at];
+        }
+    }
+
+    /// Tests one triangle against all rays of the tile.
+    HWY_ATTR void draw(const Triangles& triangles, std::size_t at, std::uint32_t surface) {
+        const Floats f;
+        const Words w;
+        const auto number = [&](const Linear& linear, std::size_t i) HWY_ATTR {
+            const auto dj = hn::Load(f, offsets.right + i), di = hn::Load(f, offsets.up + i);
+            return hn::MulAdd(di, hn::Set(f, linear.up[at]),
+                              hn::MulAdd(dj, hn::Set(f, linear.right[at]), hn::Set(f, linear.value[at])));
+        };
+        const auto key_error = hn::Set(f, triangles.key_error[at]);
+        const auto behind = hn::Set(f, grid_.pinhole ? std::numeric_limits<float>::infinity() : 0.0f);
+        for (std::size_t i = 0; i < tile_size; i += hn::Lanes(f)) {
+            const auto a = number(triangles.edge[0], i), b = number(triangles.edge[1], i),
+                       c = number(triangles.edge[2], i);
+            const auto possible = hn::Ge(hn::Min(hn::Min(a, b), c), hn::Zero(f));
+            if (hn::AllFalse(f, possible)) continue;
+            const auto key = number(triangles.key, i);
+            const auto low = hn::Sub(key, key_error), high = hn::Add(key, key_error);
+            const auto best_low = hn::Load(f, tile_.key_low + i), best_high = hn::Load(f, tile_.key_high + i);
+            const auto live = hn::And(hn::And(possible, hn::Ge(high, best_low)), hn::Lt(low, behind));
+            if (hn::AllFalse(f, live)) continue;
+            const auto above = [&](int k, auto side)
+                                   HWY_ATTR { return hn::Gt(side, hn::Set(f, triangles.sure[k][at])); };
+            const auto sure =
+                hn::And(hn::And(live, hn::Lt(high, behind)), hn::And(above(0, a), hn::And(above(1, b), above(2, c))));
+            const auto nearer = hn::And(sure, hn::Gt(low, best_high));
+            hn::Store(hn::IfThenElse(sure, hn::Max(best_low, low), best_low), f, tile_.key_low + i);
+            const auto undecided_high = hn::IfThenElse(live, hn::Max(best_high, high), best_high);
+            hn::Store(hn::IfThenElse(nearer, high, undecided_high), f, tile_.key_high + i);
+            const auto best = hn::Load(w, tile_.surface + i);
+            const auto undecided = hn::IfThenElse(hn::RebindMask(w, live), hn::Set(w, not_told), best);
+            hn::Store(hn::IfThenElse(hn::RebindMask(w, nearer), hn::Set(w, surface), undecided), w, tile_.surface + i);
+        }
+    }
+
+    const Engine& engine_;
+    const Grid& grid_;
+    Tile& tile_;
+    glassbox::Vec3<double> start_, direction_;
+    float least_key_ = 0;
+};
+
+HWY_ATTR void TraceTile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile) {
+    TileKernel(engine, grid, column, row, tile)();
+}
+
 const char* VectorsUsed() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace glassbox::engine::HWY_NAMESPACE
@@ -136,6 +508,7 @@ namespace glassbox::engine {
 
 HWY_EXPORT(Walk);
 HWY_EXPORT(NotMissed);
+HWY_EXPORT(TraceTile);
 HWY_EXPORT(VectorsUsed);
 
 void walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, void* state,
@@ -145,6 +518,10 @@ void walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf 
 
 std::uint32_t not_missed(const Block& block, const Ray<double>& ray) {
     return HWY_DYNAMIC_DISPATCH(NotMissed)(block, ray);
+}
+
+void trace_tile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile) {
+    HWY_DYNAMIC_DISPATCH(TraceTile)(engine, grid, column, row, tile);
 }
 
 const char* vectors_used() { return HWY_DYNAMIC_DISPATCH(VectorsUsed)(); }

@@ -30,11 +30,16 @@ struct Tracer {
     Rgb color(const Ray<Real>& ray, int j, int i, Probe& probe) const {
         if (stage == 1) return rounded(ray_color(ray, j, i));
         const std::optional<Hit<Real>> hit = search.trace(ray, probe);
-        if (!hit) return background;
-        probe(told::Nearest{}, hit->surface, hit->t);
-        const Vec3<Real> n = search.normal_at(ray, *hit);
+        return hit ? color_of(ray, *hit, probe) : background;
+    }
+
+    /// The colour of what a ray meets first.
+    template <class Probe>
+    Rgb color_of(const Ray<Real>& ray, const Hit<Real>& hit, Probe& probe) const {
+        probe(told::Nearest{}, hit.surface, hit.t);
+        const Vec3<Real> n = search.normal_at(ray, hit);
         probe(told::SurfaceNormal{}, n);
-        const Rgb own = colors[hit->surface];
+        const Rgb own = colors[hit.surface];
         if (stage < 4) return own;
         return to_rgb(shade(n, unit(-ray.D), to_vec3<Real>(own), light, shading, probe), shading.model);
     }

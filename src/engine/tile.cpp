@@ -1,0 +1,80 @@
+#include "engine/tile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glassbox::engine {
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+Vec3<double> sizes(const Vec3<double>& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+double sum(const Vec3<double>& v) { return v.x + v.y + v.z; }
+double greatest(const Vec3<double>& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The sizes of what L(j, i) is the sum of, anywhere in the picture and a tile around it.
+Vec3<double> plane_sizes(const ViewingPlane<double>& plane, int width, int height) {
+    return sizes(plane.corner) + (width + 2.0 * tile_side) * sizes(plane.right) +
+           (height + 2.0 * tile_side) * sizes(plane.up);
+}
+
+bool is_ordinary(double size) { return size > 0x1p-50 && size < 0x1p50; }
+
+/// Fills in the scales for directions of that size, and vertices that far from the rays; false if these are not
+/// ordinary.
+bool set_scales(Grid& grid, double direction, double distance) {
+    if (!is_ordinary(direction) || !is_ordinary(distance)) return false;
+    const int e = std::ilogb(distance) + 1;
+    grid.direction_scale = std::ldexp(1, -2 * e - std::ilogb(direction));
+    grid.key_scale = std::ldexp(1, grid.pinhole ? 3 * e : -3 * e);
+    grid.key_of_t = grid.pinhole ? grid.key_scale * grid.direction_scale : grid.key_scale / grid.direction_scale;
+    return true;
+}
+
+}  // namespace
+
+std::optional<Grid> grid(const Pinhole<double>& view, int width, int height, const Engine& engine) {
+    Grid g;
+    g.pinhole = true;
+    g.eye = view.eye;
+    g.corner = view.plane.corner;
+    g.right = view.plane.right;
+    g.up = view.plane.up;
+    // L and the ray's direction are each rounded five times, relatively to sums of these sizes.
+    const Vec3<double> terms = plane_sizes(view.plane, width, height) + sizes(view.eye);
+    g.ray_error = 12 * u * sum(terms);
+    const double direction = sum(terms);
+    if (!set_scales(g, direction, engine.around().reach() + greatest(sizes(view.eye - engine.middle())))) return {};
+    const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
+    // A side product's terms add up to at most 2m²|D|, each rounded seven times; and B × A is at most 2m² along each
+    // axis.
+    g.side1 = g.direction_scale * (20 * u * (direction + steps) + 2 * g.ray_error);
+    g.volume1 = 60 * u;  // the terms of |A B C| add up to 6m³, each rounded eight times
+    return g;
+}
+
+std::optional<Grid> grid(const Parallel<double>& view, int width, int height, const Engine& engine) {
+    Grid g;
+    g.direction = view.direction;
+    g.corner = view.plane.corner;
+    g.right = view.plane.right;
+    g.up = view.plane.up;
+    const Vec3<double> terms = plane_sizes(view.plane, width, height);
+    g.ray_error = 12 * u * sum(terms);
+    const double direction = sum(sizes(view.direction)), thickest = greatest(sizes(view.direction));
+    if (!set_scales(g, direction, engine.around().reach() + greatest(terms) + greatest(sizes(engine.middle()))))
+        return {};
+    const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
+    g.side1 = g.direction_scale * 20 * u * direction;
+    // B − A is at most 2m along each axis, and off by 4um; (B − A) × D at most 4m|D|, and off by 20um|D|; times a step,
+    // by 32um|D| of it.
+    g.side2 = g.direction_scale * (40 * u * steps + 4 * g.ray_error) * thickest;
+    g.volume1 = 60 * u;
+    // |A B C| changes along the steps by their product with A × B + B × C + C × A: at most 6m² along each axis, off by
+    // 36um², with the step by 54um².
+    g.volume2 = 60 * u * steps + 6 * g.ray_error;
+    return g;
+}
+
+}  // namespace glassbox::engine
