@@ -18,7 +18,8 @@ HiddenContext::HiddenContext() {
     if (context_ == nullptr) {
         const char* why = "no reason was given";
         glfwGetError(&why);
-        throw Error(std::string("glassbox view: error: there is no OpenGL 3.3, not even for a hidden window (") + why + ")");
+        throw Error(std::string("glassbox view: error: there is no OpenGL 3.3, not even for a hidden window (") + why +
+                    ")");
     }
     make_current();
 }

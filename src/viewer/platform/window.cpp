@@ -33,10 +33,10 @@ std::string last_error() {
 struct Library {
     Library() {
         if (glfwInit() == GLFW_TRUE) return;
-        throw Error(
-            fmt::format("glassbox view: error: no display was found ({}): use --script or --screenshot, which need none, "
-                        "or xvfb-run",
-                        last_error()));
+        throw Error(fmt::format(
+            "glassbox view: error: no display was found ({}): use --script or --screenshot, which need none, "
+            "or xvfb-run",
+            last_error()));
     }
     ~Library() { glfwTerminate(); }
     Library(const Library&) = delete;
