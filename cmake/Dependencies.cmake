@@ -37,6 +37,7 @@ glassbox_package(tomlplusplus libtomlplusplus-dev)
 glassbox_package(tinyexr libtinyexr-dev)
 glassbox_package(nlohmann_json nlohmann-json3-dev)
 glassbox_package(hwy libhwy-dev)
+find_package(embree 3 QUIET)  # to compare with; `bench --against embree` says what to install
 glassbox_header_library(stb stb_image_write.h libstb-dev)
 glassbox_header_library(cli11 CLI/CLI.hpp libcli11-dev)
 if(GLASSBOX_TESTS)

@@ -8,6 +8,7 @@
 
 #include "bench/bare_numbers.hpp"
 #include "bench/runs.hpp"
+#include "cli/bench_embree.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_path.hpp"
@@ -24,6 +25,7 @@ namespace {
 struct BenchRequest {
     std::vector<std::string> scenes{"levental-2014", "room"};
     int runs = 7;
+    bool against_embree = false;
 };
 
 std::string shown(const Spread& s, const char* format) {
@@ -130,7 +132,16 @@ void add_bench(CLI::App& program, Session& session) {
     };
     command->add_option_function<std::string>("--runs", read_runs, "how many runs of each, in turn (default: 7)")
         ->type_name("N");
+    const auto read_against = [request](const std::string& typed) {
+        if (typed != "embree") throw wrong("--against", fmt::format("'{}' is not known; it must be embree", typed));
+        request->against_embree = true;
+    };
+    command
+        ->add_option_function<std::string>("--against", read_against,
+                                           "another tracer, on generated meshes: embree, where it was installed")
+        ->type_name("embree");
     command->callback([request, &session] {
+        if (request->against_embree) return bench_against_embree(request->runs, session.interrupt.token());
         std::vector<Scene> scenes;  // all are read before the first is timed: a wrong name costs nobody minutes
         for (const std::string& name : request->scenes) scenes.push_back(read_scene(scene_path(name)));
         fmt::print("Million rays a second; {} runs of each, in turn: median (least ... greatest)\n", request->runs);

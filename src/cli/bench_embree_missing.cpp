@@ -1,0 +1,13 @@
+#include "cli/bench_embree.hpp"
+#include "scene/error.hpp"
+
+namespace glassbox {
+
+void bench_against_embree(int, const std::stop_token&) {
+    throw Error(
+        "this program was built without Embree, version 3, to compare with. Install it (on Debian: sudo apt-get "
+        "install "
+        "libembree-dev) and build again");
+}
+
+}  // namespace glassbox
