@@ -1,12 +1,17 @@
 #include "learn/test_run.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <future>
 #include <random>
+#include <thread>
 
+#include "learn/headers.hpp"
 #include "learn/report.hpp"
 #include "scene/text_file.hpp"
 
@@ -24,29 +29,28 @@ struct Group {
 };
 constexpr Group first{"double", "double"}, rest{"others", "float, long double"};
 
-std::string plain_text(const fs::path& file) {
-    std::error_code none;
-    if (!fs::is_regular_file(file, none)) return "";
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void add_files(std::vector<std::string>& parts, const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none))
-        if (entry.path().extension() == ".hpp" || entry.path().extension() == ".h") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) {
-        parts.push_back(file.string());
-        parts.push_back(plain_text(file));
-    }
-}
-
 std::string random_text() {
     std::random_device device;
     return fmt::format("{:08x}{:08x}", device(), device());
 }
+
+/// Nobody else makes or runs programs in that folder while it lives: another terminal may be watching, too.
+class Lock {
+public:
+    Lock(const fs::path& folder, const std::stop_token& stop)
+        : descriptor_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+        if (descriptor_ < 0)
+            throw error_at({folder.string()}, "cannot write in this folder; name another one with --folder");
+        while (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && !stop.stop_requested())
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+    ~Lock() { ::close(descriptor_); }
+
+private:
+    int descriptor_;
+};
 
 /// One group's program: compiled, linked, run.
 class Program {
@@ -69,7 +73,7 @@ public:
     /// Compiles and links, unless all is as it was. What went wrong, if anything did.
     std::optional<CompileError> build(const std::string& ingredients, const std::stop_token& stop) {
         const std::vector<fs::path> all = sources();
-        if (plain_text(file("key")) == ingredients) return {};
+        if (content_of(file("key")) == ingredients) return {};
         std::error_code none;
         fs::remove(file("key"), none);
         std::vector<fs::path> objects{tools_.main};
@@ -77,6 +81,8 @@ public:
             objects.push_back(file(source.stem().string() + ".o"));
             Compilation what{source, objects.back(), includes_of(workspace_, exercise_, request_.headers), tools_.flags,
                              workspace_.root};
+            for (const fs::path& more : {workspace_.root / "tests/stages", workspace_.root / "tests", doctest_folder()})
+                what.includes.push_back(more);
             what.flags.push_back(fmt::format("-DEVERY_SCALAR={}", group_.scalars));
             const Outcome outcome = compile(tools_.compiler, what, stop);
             if (auto error = compile_error(outcome, request_.headers, workspace_.root)) return error;
@@ -95,7 +101,7 @@ public:
         command.folder = request_.folder;
         command.limits = {.time = request_.deadline, .memory = memory_of_a_test, .file = std::uint64_t{16} << 20};
         const Outcome outcome = learn::run(command, stop);
-        return read_report(plain_text(report), nonce, outcome);
+        return read_report(content_of(report), nonce, outcome);
     }
 
 private:
@@ -141,27 +147,19 @@ std::vector<fs::path> includes_of(const Workspace& workspace, const Exercise& ex
     }
     std::sort(stages.begin(), stages.end());
     includes.insert(includes.end(), stages.begin(), stages.end());
-    includes.push_back(workspace.root / "tests/stages");
-    includes.push_back(workspace.root / "tests");
     if (!exercise.include.empty()) includes.push_back(workspace.root / "src");
-    includes.push_back(doctest_folder());
     return includes;
-}
-
-std::string fingerprint_of_headers(const fs::path& folder) {
-    std::vector<std::string> parts;
-    add_files(parts, folder);
-    return fingerprint(parts);
 }
 
 TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                   const TestRequest& request, const std::stop_token& stop) {
+    const Lock lock(request.folder, stop);
     std::vector<std::string> parts{tools.identity};
     for (const char* folder : {"src/core", "src/numerics", "tests/stages", "tests/support"})
-        add_files(parts, workspace.root / folder);
+        add_headers(parts, workspace.root / folder);
     for (const std::string& test : exercise.tests) parts.push_back(read_text(workspace.root / test));
-    add_files(parts, request.headers);
-    parts.push_back(plain_text(workspace.root / "lessons/not_written.hpp"));
+    add_headers(parts, request.headers);
+    parts.push_back(content_of(workspace.root / "lessons/not_written.hpp"));
     const std::string ingredients = fingerprint(parts);
 
     Program doubles(workspace, exercise, tools, request, first), others(workspace, exercise, tools, request, rest);

@@ -66,7 +66,4 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
 std::vector<std::filesystem::path> includes_of(const Workspace& workspace, const Exercise& exercise,
                                                const std::filesystem::path& headers);
 
-/// A fingerprint of all headers in a folder.
-std::string fingerprint_of_headers(const std::filesystem::path& folder);
-
 }  // namespace glassbox::learn

@@ -39,14 +39,20 @@ void make(const Workspace& workspace, const Compiler& compiler, const fs::path& 
           const std::string& precompiled) {
     const fs::path runner = workspace.root / "src/learn/runner";
     const std::vector<fs::path> includes{workspace.root / "tests", workspace.root / "src", doctest};
-    auto main = std::async(std::launch::async, [&] {
-        return compile(compiler, {runner / "main.cpp", folder / "main.o", includes, {"-O1", "-g0"}, {}});
+    const auto compile_main = [&](const char* name) {
+        const Compilation what{
+            runner / fmt::format("{}.cpp", name), folder / fmt::format("{}.o", name), includes, {"-O1", "-g0"}, {}};
+        const Outcome outcome = compile(compiler, what);
+        if (!outcome.well())
+            throw Error(fmt::format("{}: error: {} cannot compile it: {}\n{}", what.source.string(), compiler.program,
+                                    in_words(outcome), outcome.errors));
+    };
+    auto both = std::async(std::launch::async, [&] {
+        compile_main("main");
+        compile_main("picture");
     });
     precompile(compiler, {runner / "prelude.hpp", folder / precompiled, includes, test_flags, {}});
-    const Outcome outcome = main.get();
-    if (!outcome.well())
-        throw Error(fmt::format("{}: error: {} cannot compile it: {}\n{}", (runner / "main.cpp").string(),
-                                compiler.program, in_words(outcome), outcome.errors));
+    both.get();
 }
 
 }  // namespace
@@ -57,8 +63,9 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     const fs::path doctest = doctest_folder();
     std::vector<std::string> parts{tools.compiler.program, tools.compiler.identity, state_of(doctest / "doctest.h")};
     parts.insert(parts.end(), test_flags.begin(), test_flags.end());
-    for (const char* file : {"src/learn/runner/prelude.hpp", "src/learn/runner/main.cpp", "src/learn/last_words.hpp",
-                             "tests/support/ulps.hpp", "tests/support/traced_ray.hpp"})
+    for (const char* file :
+         {"src/learn/runner/prelude.hpp", "src/learn/runner/main.cpp", "src/learn/runner/picture.cpp",
+          "src/learn/last_words.hpp", "tests/support/ulps.hpp", "tests/support/traced_ray.hpp"})
         parts.push_back(read_text(workspace.root / file));
     parts.push_back(workspace.root.string());  // clang++ remembers where its headers were
     tools.identity = fingerprint(parts);
@@ -66,6 +73,7 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     const fs::path folder = workspace.hidden() / ("tools-" + tools.identity);
     const std::string precompiled = tools.compiler.clang ? "prelude.pch" : "prelude.hpp.gch";
     tools.main = folder / "main.o";
+    tools.picture_main = folder / "picture.o";
     tools.flags = test_flags;
     for (const std::string& flag : beginning_with(tools.compiler, folder / precompiled)) tools.flags.push_back(flag);
     std::error_code failed;

@@ -13,9 +13,10 @@ namespace glassbox::learn {
 /// changes. It lies in the learner's folder, in .glassbox/tools-….
 struct Toolchain {
     Compiler compiler;
-    std::vector<std::string> flags;  ///< for each test, those that begin with the precompiled prelude included
-    std::filesystem::path main;      ///< the object with main() and the reporter
-    std::string identity;            ///< what it was made of: a fingerprint
+    std::vector<std::string> flags;      ///< for each test, those that begin with the precompiled prelude included
+    std::filesystem::path main;          ///< the object with main() and the reporter
+    std::filesystem::path picture_main;  ///< the object with the main() of a lesson's program
+    std::string identity;                ///< what it was made of: a fingerprint
 };
 
 /// Gets the toolchain, or makes it, which takes some seconds; then `say` is told why it takes long. Throws Error.

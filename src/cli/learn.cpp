@@ -1,0 +1,308 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <span>
+
+#include "cli/commands.hpp"
+#include "cli/tell.hpp"
+#include "learn/detective.hpp"
+#include "learn/learner.hpp"
+#include "learn/picture.hpp"
+#include "learn/telling.hpp"
+#include "learn/watch.hpp"
+#include "output/output_file.hpp"
+#include "output/whole_file.hpp"
+#include "render/job.hpp"
+#include "scene/error.hpp"
+#include "scene/suggestion.hpp"
+#include "scene/text_file.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using namespace learn;
+namespace fs = std::filesystem;
+
+struct LearnRequest {
+    std::string lesson, mistake, folder, picture;
+    bool record = false;
+};
+
+/// A subcommand of `learn` as it runs.
+struct Lesson {
+    const LearnRequest& request;
+    std::stop_token stop;
+    Learner learner;
+    Paint paint;
+
+    Lesson(const LearnRequest& asked, std::stop_token token)
+        : request(asked),
+          stop(std::move(token)),
+          learner(open_workspace(fs::current_path(), asked.folder),
+                  [](const std::string& text) { tell("glassbox learn: " + text); }),
+          paint{is_terminal() && !no_color()} {}
+
+    const Exercise& exercise() { return learner.lesson(request.lesson); }
+
+    static bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
+    static bool no_color() {
+        const char* wish = std::getenv("NO_COLOR");
+        return wish && *wish;
+    }
+};
+
+void print(const std::string& text) {
+    fmt::print("{}", text);
+    std::fflush(stdout);
+}
+
+[[noreturn]] void end_with(int status) { throw CLI::RuntimeError(status); }
+
+/// Tests a lesson and says how it went; whether all is well.
+bool test(Lesson& lesson, const Exercise& exercise) {
+    const bool begins = make_starters(lesson.learner.workspace(), exercise);
+    if (begins)
+        print(fmt::format("Your headers of lesson {} are now in {}: the starters, to be completed.\n\n",
+                          exercise.number, shown(lesson.learner.workspace().headers_of(exercise))));
+    const Tested tested = lesson.learner.test(exercise, lesson.stop);
+    if (tested.run.stopped) throw Cancelled{};
+    print(tested_text(lesson.learner, exercise, tested, lesson.paint));
+    return tested.run.passed();
+}
+
+/// Tests the lesson after each change, until it is interrupted.
+void watch(Lesson& lesson) {
+    const std::string asked = lesson.request.lesson;
+    while (!lesson.stop.stop_requested()) {
+        const Exercise& exercise = lesson.learner.lesson(asked);
+        make_starters(lesson.learner.workspace(), exercise);
+        Watch headers(lesson.learner.workspace().headers_of(exercise));  // before the test: no change is missed
+        try {
+            test(lesson, exercise);
+        } catch (const Cancelled&) {
+            break;
+        } catch (const Error& error) {  // a header is gone for now, or the disk is full: that may change
+            tell(error.what());
+        }
+        const Exercise& next = lesson.learner.lesson(asked);
+        if (&next != &exercise) continue;
+        print(lesson.paint.faint(fmt::format("\nWatching {}; save a file to test again, Ctrl-C to end.\n",
+                                             shown(lesson.learner.workspace().headers_of(exercise)))));
+        if (!headers.wait(lesson.stop)) break;
+        print(Lesson::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // the scrollback stays
+    }
+}
+
+void status(Lesson& lesson) {
+    make_starters(lesson.learner.workspace(), lesson.exercise());  // so that there is something to open
+    print(status_text(lesson.learner, lesson.paint));
+}
+
+void hint(Lesson& lesson) {
+    const Exercise& exercise = lesson.exercise();
+    make_starters(lesson.learner.workspace(), exercise);
+    const Function* function = lesson.learner.next_function(exercise, lesson.stop);
+    if (!function) return print(fmt::format("All of lesson {} is written: no hint is left.\n", exercise.number));
+    const int tier = lesson.learner.next_hint(exercise, *function);
+    print(hint_text(lesson.learner.workspace(), exercise, *function, tier, lesson.paint));
+}
+
+/// Puts the starters back, of one lesson, which must be named: what is written there is set aside.
+void begin_anew(Lesson& lesson) {
+    const Exercise& exercise = lesson.exercise();
+    const Workspace& workspace = lesson.learner.workspace();
+    if (make_starters(workspace, exercise))
+        return print(fmt::format("The starters of lesson {} are in {}.\n", exercise.number,
+                                 shown(workspace.headers_of(exercise))));
+    for (const fs::path& kept : reset(workspace, exercise)) print(fmt::format("Kept: {}\n", shown(kept)));
+    print(fmt::format("Lesson {} begins anew, in {}.\n", exercise.number, shown(workspace.headers_of(exercise))));
+}
+
+bool agrees(const std::string& question) {
+    if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDERR_FILENO) != 1) return true;
+    fmt::print(stderr, "{} [y/N] ", question);
+    std::string answer;
+    std::getline(std::cin, answer);
+    return answer == "y" || answer == "Y" || answer == "yes";
+}
+
+void solution(Lesson& lesson) {
+    const Exercise& exercise = lesson.exercise();
+    if (!lesson.learner.progress(exercise).passed) {
+        if (!agrees(fmt::format("Lesson {} has not passed yet. Give up, and see the solution?", exercise.number))) {
+            tell(fmt::format("glassbox learn: not shown; for a hint: {}",
+                             command_line(lesson.learner.workspace(), fmt::format("hint {}", exercise.number))));
+            end_with(1);
+        }
+        lesson.learner.remember_giving_up(exercise);
+    }
+    for (const std::string& header : exercise.headers) {
+        const fs::path path = lesson.learner.workspace().solution(exercise, header);
+        tell(fmt::format("glassbox learn: {}:", shown(path)));
+        print(read_text(path));
+    }
+}
+
+const Mistake& mistake_called(const std::vector<Mistake>& mistakes, const std::string& name, const Exercise& exercise) {
+    std::vector<std::string_view> names;
+    for (const Mistake& mistake : mistakes) {
+        if (mistake.name == name) return mistake;
+        names.push_back(mistake.name);
+    }
+    throw Error(fmt::format("glassbox learn: error: lesson {} knows no mistake {}; {}", exercise.number,
+                            in_quotes(name), suggestion(name, names)));
+}
+
+/// The folder with a lesson's headers to make a picture of: the learner's, or the solution with a mistake.
+fs::path headers_for_picture(Lesson& lesson, const Exercise& exercise) {
+    const Workspace& workspace = lesson.learner.workspace();
+    if (lesson.request.mistake.empty()) {
+        make_starters(workspace, exercise);
+        for (const std::string& header : exercise.headers) read_header(workspace, exercise, header);
+        return workspace.headers_of(exercise);
+    }
+    const std::vector<Mistake> mistakes = read_mistakes(exercise);
+    const Mistake& mistake = mistake_called(mistakes, lesson.request.mistake, exercise);
+    const fs::path folder = workspace.hidden() / "mistakes" / exercise.name / mistake.name / "headers";
+    make_mistaken_headers(workspace, exercise, mistake, folder);
+    return folder;
+}
+
+void picture(Lesson& lesson) {
+    const Exercise& exercise = lesson.exercise();
+    check_picture_file(lesson.request.picture);
+    const fs::path headers = headers_for_picture(lesson, exercise);
+    const fs::path folder = lesson.learner.workspace().hidden() / exercise.name;
+    std::error_code none;
+    fs::create_directories(folder, none);
+    const LessonPicture made =
+        lesson_picture(lesson.learner.workspace(), exercise, lesson.learner.tools(), headers, folder, lesson.stop);
+    if (lesson.stop.stop_requested()) throw Cancelled{};
+    if (made.error) {
+        print(error_text(*made.error, lesson.paint));
+        end_with(1);
+    }
+    if (!made.image)
+        throw Error(fmt::format("{}: error: there is no picture: {}; see {}", shown(exercise.lesson / "main.cpp"),
+                                made.died,
+                                command_line(lesson.learner.workspace(), fmt::format("test {}", exercise.number))));
+    write_picture(lesson.request.picture, *made.image, lesson.stop);
+}
+
+/// Writes down what each mistake of a lesson leaves behind: for whoever writes lessons.
+void record(Lesson& lesson, const Exercise& exercise) {
+    int unnoticed = 0;
+    const auto done = [&](const Mistake& mistake, const TestRun& run) {
+        const std::size_t traces = traces_of(mistake.name, run).size();
+        if (run.error) tell(fmt::format("{}: does not compile: {}", mistake.name, run.error->message));
+        else if (traces == 0) tell(fmt::format("{}: no test fails", mistake.name));
+        if (run.error || traces == 0) ++unnoticed;
+    };
+    const fs::path file = exercise.lesson / "mistakes.json";
+    const std::vector<Trace> traces =
+        traces_of_all(lesson.learner.workspace(), exercise, lesson.learner.tools(), done, lesson.stop);
+    if (lesson.stop.stop_requested()) throw Cancelled{};
+    const std::string text = written(traces);
+    write_whole(file, std::as_bytes(std::span(text)));
+    print(fmt::format("{}: {} traces\n", shown(file), traces.size()));
+    if (unnoticed > 0) end_with(1);
+}
+
+void mistake(Lesson& lesson) {
+    const Exercise& exercise = lesson.exercise();
+    const Workspace& workspace = lesson.learner.workspace();
+    if (lesson.request.record) return record(lesson, exercise);
+    const std::vector<Mistake> mistakes = read_mistakes(exercise);
+    if (lesson.request.mistake.empty()) {
+        for (const Mistake& one : mistakes) print(fmt::format("{:<28} {}\n", one.name, one.looks_like));
+        return;
+    }
+    const Mistake& chosen = mistake_called(mistakes, lesson.request.mistake, exercise);
+    make_starters(workspace, exercise);
+    for (const std::string& header : exercise.headers) {
+        std::string text = read_text(workspace.solution(exercise, header));
+        if (header == chosen.header) text = with_mistake(text, chosen);
+        if (const fs::path kept = replace_header(workspace, exercise, header, text); !kept.empty())
+            print(fmt::format("Kept: {}\n", shown(kept)));
+    }
+    print(fmt::format("{} is now the solution with the mistake {}.\n", shown(workspace.headers_of(exercise)),
+                      chosen.name));
+}
+
+using Run = std::function<void(Lesson&)>;
+
+/// Gives `learn` a subcommand.
+CLI::App* add(CLI::App& learn, Session& session, const std::shared_ptr<LearnRequest>& request, const char* name,
+              const char* help, Run run) {
+    CLI::App* command = learn.add_subcommand(name, help);
+    command->callback([request, &session, run = std::move(run)] {
+        Lesson lesson(*request, session.interrupt.token());
+        run(lesson);
+    });
+    return command;
+}
+
+CLI::Option* add_lesson(CLI::App* command, const std::shared_ptr<LearnRequest>& request) {
+    return command->add_option("N", request->lesson, "the lesson, its number or name (default: the first that is open)")
+        ->type_name(" ");
+}
+
+}  // namespace
+
+void add_learn(CLI::App& program, Session& session) {
+    const auto request = std::make_shared<LearnRequest>();
+    CLI::App* learn = program.add_subcommand("learn", "Follow the lessons: write the functions, test them, see them");
+    learn->require_subcommand(0, 1);
+
+    add(*learn, session, request, "status", "Show the lessons, how far you are, and what to do next", status);
+    add_lesson(add(*learn, session, request, "test", "Test what you have written",
+                   [](Lesson& lesson) {
+                       if (!test(lesson, lesson.exercise())) end_with(1);
+                   }),
+               request);
+    add_lesson(add(*learn, session, request, "watch", "Test after each change, until Ctrl-C", watch), request);
+    add_lesson(add(*learn, session, request, "hint", "A hint: a question, then the formula, then the code", hint),
+               request);
+    CLI::App* picture_command =
+        add(*learn, session, request, "picture", "Make the lesson's picture with your functions", picture);
+    add_lesson(picture_command, request);
+    picture_command->add_option("-o,--out", request->picture, "the picture, .png or .ppm")
+        ->type_name("OUT.png")
+        ->required();
+    picture_command->add_option("--mistake", request->mistake, "with the solution and this mistake, instead of yours")
+        ->type_name("NAME");
+    add_lesson(
+        add(*learn, session, request, "solution", "Show our headers; asks first if yours have not passed", solution),
+        request);
+    add_lesson(
+        add(*learn, session, request, "reset", "Begin a lesson anew; what you have is kept beside it", begin_anew),
+        request)
+        ->required();
+    CLI::App* mistake_command =
+        add(*learn, session, request, "mistake",
+            "For teachers: list a lesson's classic mistakes, or make one in your folder", mistake);
+    add_lesson(mistake_command, request)->required();
+    mistake_command->add_option("NAME", request->mistake, "the mistake to make")->type_name(" ");
+    mistake_command->add_flag("--record", request->record,
+                              "write lessons/N-name/mistakes.json anew: for lessons' authors");
+
+    for (CLI::App* command : learn->get_subcommands([](const CLI::App*) { return true; }))
+        command->add_option("--folder", request->folder, "your folder (default: my/ in the project)")->type_name("DIR");
+    learn->add_option("--folder", request->folder, "your folder (default: my/ in the project)")->type_name("DIR");
+    learn->footer("Example: glassbox learn test 1. Without a command: status, and on a terminal watch.");
+    learn->callback([request, &session, learn] {
+        if (!learn->get_subcommands().empty()) return;
+        Lesson lesson(*request, session.interrupt.token());
+        status(lesson);
+        if (!Lesson::is_terminal()) return;
+        print("\n");
+        watch(lesson);
+    });
+}
+
+}  // namespace glassbox

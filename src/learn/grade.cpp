@@ -1,0 +1,118 @@
+#include "learn/grade.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "learn/headers.hpp"
+#include "learn/learner.hpp"
+#include "learn/picture.hpp"
+#include "learn/telling.hpp"
+#include "render/job.hpp"
+
+namespace glassbox::learn {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path made(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) throw error_at({folder.string()}, fmt::format("cannot make this folder: {}", failed.message()));
+    return folder;
+}
+
+/// Is there a header of the lesson that is not the starter as it was?
+bool is_begun(const Workspace& workspace, const Exercise& exercise) {
+    return std::ranges::any_of(exercise.headers, [&](const std::string& header) {
+        const std::string written = content_of(workspace.header(exercise, header));
+        return !written.empty() && written != content_of(exercise.starter(header));
+    });
+}
+
+/// What the learner's folder remembers, read from a copy: reading sets aside what is unreadable.
+Progress remembered(const Workspace& learner, const fs::path& scratch, std::string& complaint) {
+    const fs::path copy = made(scratch) / "progress.json";
+    std::error_code none;
+    fs::remove(copy, none);
+    fs::copy_file(learner.hidden() / "progress.json", copy, none);
+    return read_progress(copy, complaint);
+}
+
+Verdict verdict(const TestRun& run) {
+    if (run.error) return Verdict::does_not_compile;
+    return run.passed() ? Verdict::passed : Verdict::failing;
+}
+
+}  // namespace
+
+Grader::Grader(Workspace teacher, std::function<void(const std::string&)> say)
+    : teacher_(std::move(teacher)),
+      say_(std::move(say)),
+      tools_(toolchain(teacher_, say_)),
+      scratch_(made(teacher_.hidden() / "grading")) {}
+
+const std::optional<Image>& Grader::ours(const Exercise& exercise, const std::stop_token& stop) {
+    const auto [place, is_new] = ours_.try_emplace(exercise.number);
+    if (is_new) {
+        const fs::path folder = made(scratch_ / "ours" / exercise.name);
+        place->second = lesson_picture(teacher_, exercise, tools_, {}, folder, stop).image;
+    }
+    return place->second;
+}
+
+LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise, const std::stop_token& stop) {
+    LessonStanding lesson{.number = exercise.number, .title = exercise.title};
+    const fs::path folder = made(scratch_ / exercise.name);
+    for (const Function& function : exercise.functions) lesson.functions.push_back({function.name, function.header});
+    if (!is_begun(learner, exercise)) return lesson;
+
+    const TestRun run = run_tests(learner, exercise, tools_, {learner.headers_of(exercise), folder}, stop);
+    const Judgement judgement = judged(exercise, run);
+    for (std::size_t k = 0; k < lesson.functions.size() && k < judgement.functions.size(); ++k)
+        lesson.functions[k].state = judgement.functions[k];
+    lesson.verdict = verdict(run);
+    lesson.cases = static_cast<int>(run.cases.size());
+    lesson.cases_passed = lesson.cases - judgement.failed;
+    if (!run.passed()) {
+        lesson.wrong = first_wrong_text(learner, exercise, run, judgement, {});
+        lesson.mistake = recognised(exercise, run).looks_like;
+    }
+    const LessonPicture picture =
+        lesson_picture(learner, exercise, tools_, learner.headers_of(exercise), folder, stop);
+    lesson.mine = picture.image;
+    lesson.no_picture = picture.error ? "the lesson’s program does not compile with these headers" : picture.died;
+    lesson.ours = ours(exercise, stop);
+    if (stop.stop_requested()) throw Cancelled{};
+    return lesson;
+}
+
+LearnerStanding Grader::grade(const fs::path& folder, const std::stop_token& stop) {
+    std::error_code none;
+    if (!fs::is_directory(folder, none))
+        throw error_at({folder.string()}, "there is no such folder; a learner's folder has folders such as 1-rays in it");
+    const Workspace learner = open_workspace(teacher_.root, fs::absolute(folder));
+    std::string complaint;
+    Progress progress = remembered(learner, scratch_, complaint);
+    if (!complaint.empty()) say_(complaint);
+
+    fs::path name = fs::absolute(folder).lexically_normal();
+    if (!name.has_filename()) name = name.parent_path();
+    LearnerStanding standing{name.filename().string(), {}};
+    for (const Exercise& exercise : learner.exercises) {
+        say_(fmt::format("{}: lesson {}, {}", standing.learner, exercise.number, exercise.title));
+        LessonStanding lesson = grade(learner, exercise, stop);
+        const LessonProgress& past = progress.lessons[exercise.name];
+        lesson.runs = past.runs;
+        lesson.gave_up = past.gave_up;
+        for (FunctionStanding& function : lesson.functions) {
+            const auto hints = past.hints.find(function.name);
+            function.hints = hints == past.hints.end() ? 0 : hints->second;
+        }
+        standing.lessons.push_back(std::move(lesson));
+    }
+    return standing;
+}
+
+}  // namespace glassbox::learn

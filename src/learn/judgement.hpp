@@ -1,0 +1,23 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "learn/progress.hpp"
+#include "learn/test_run.hpp"
+
+namespace glassbox::learn {
+
+/// What a test run says of an exercise, function by function, and the one thing to look at first.
+struct Judgement {
+    std::vector<State> functions;        ///< one for each of the exercise's
+    const Function* function = nullptr;  ///< which to look at first; null if all is well, or no function is at fault
+    const CaseResult* shown = nullptr;   ///< which failed case to look at first; null if there is none
+    int failed = 0;                      ///< how many cases fail
+};
+
+/// Functions count in the order of writing. A case that fails only because a function is called that is not written yet
+/// says something of that function alone. What is returned points into its arguments.
+Judgement judged(const Exercise& exercise, const TestRun& run);
+
+}  // namespace glassbox::learn

@@ -1,0 +1,116 @@
+#include "learn/learner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "learn/failing_scene.hpp"
+#include "learn/headers.hpp"
+#include "output/whole_file.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The words of a mistake, and its name; none if the lesson has no such thing.
+std::pair<std::string, std::string> recognised(const Exercise& exercise, const TestRun& run) {
+    const std::string name = looks_like(run, read_traces(exercise.lesson / "mistakes.json"));
+    if (name.empty()) return {};
+    for (const Mistake& mistake : read_mistakes(exercise))
+        if (mistake.name == name) return {name, mistake.looks_like};
+    return {};
+}
+
+}  // namespace
+
+std::string fingerprint_of(const Workspace& workspace, const Exercise& exercise) {
+    return fingerprint_of_headers(workspace.headers_of(exercise));
+}
+
+Learner::Learner(Workspace workspace, std::function<void(const std::string&)> say)
+    : workspace_(std::move(workspace)), say_(std::move(say)) {
+    std::string complaint;
+    progress_ = read_progress(progress_file(), complaint);
+    if (!complaint.empty()) say_(complaint);
+}
+
+const Toolchain& Learner::tools() {
+    if (!tools_) tools_ = toolchain(workspace_, say_);
+    return *tools_;
+}
+
+const Exercise& Learner::lesson(const std::string& name) {
+    if (!name.empty()) return exercise_called(workspace_, name);
+    const auto open = std::find_if(workspace_.exercises.begin(), workspace_.exercises.end(),
+                                   [&](const Exercise& one) { return !remembered(one).passed; });
+    return open == workspace_.exercises.end() ? workspace_.exercises.back() : *open;
+}
+
+bool Learner::is_tested(const Exercise& exercise) {
+    return remembered(exercise).tested == fingerprint_of(workspace_, exercise);
+}
+
+Tested Learner::test(const Exercise& exercise, const std::stop_token& stop) {
+    make_starters(workspace_, exercise);
+    for (const std::string& header : exercise.headers)
+        read_header(workspace_, exercise, header);  // complains if it must
+    tools();
+    const auto start = std::chrono::steady_clock::now();
+    TestRequest request{workspace_.headers_of(exercise), workspace_.hidden() / exercise.name};
+    std::error_code failed;
+    fs::create_directories(request.folder, failed);
+    const std::string tested_as = fingerprint_of(workspace_, exercise);
+
+    Tested tested;
+    tested.run = run_tests(workspace_, exercise, tools(), request, stop);
+    if (tested.run.stopped) return tested;
+    tested.judgement = judged(exercise, tested.run);
+    if (!tested.run.error && !tested.run.passed())
+        std::tie(tested.mistake, tested.looks_like) = recognised(exercise, tested.run);
+    if (const CaseResult* shown = tested.judgement.shown; shown && shown->failure->not_written().empty()) {
+        if (const auto scene = failing_scene(shown->name, *shown->failure)) {
+            write_whole(failing_scene_file(), std::as_bytes(std::span(scene->toml)));
+            tested.pixel = scene->pixel;
+        }
+    }
+    LessonProgress& progress = remembered(exercise);
+    ++progress.runs;
+    progress.passed |= tested.run.passed();
+    progress.tested = tested_as;
+    if (!tested.run.error) {
+        progress.functions.clear();
+        for (std::size_t i = 0; i < exercise.functions.size(); ++i)
+            progress.functions[exercise.functions[i].name] = tested.judgement.functions[i];
+    }
+    save();
+    tested.took = std::chrono::steady_clock::now() - start;
+    return tested;
+}
+
+const Function* Learner::next_function(const Exercise& exercise, const std::stop_token& stop) {
+    if (!is_tested(exercise)) test(exercise, stop);
+    const LessonProgress& progress = remembered(exercise);
+    for (const Function& function : exercise.functions) {
+        const auto state = progress.functions.find(function.name);
+        if (state == progress.functions.end() || state->second != State::passed) return &function;
+    }
+    return nullptr;
+}
+
+int Learner::next_hint(const Exercise& exercise, const Function& function) {
+    int& shown = remembered(exercise).hints[function.name];
+    shown = std::min(shown + 1, hint_tiers);
+    save();
+    return shown;
+}
+
+void Learner::remember_giving_up(const Exercise& exercise) {
+    LessonProgress& progress = remembered(exercise);
+    if (progress.passed) return;
+    progress.gave_up = true;
+    save();
+}
+
+}  // namespace glassbox::learn

@@ -1,0 +1,75 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include "learn/detective.hpp"
+#include "learn/judgement.hpp"
+#include "learn/progress.hpp"
+#include "learn/toolchain.hpp"
+#include "learn/workspace.hpp"
+
+namespace glassbox::learn {
+
+/// What came of one test of a lesson.
+struct Tested {
+    TestRun run;
+    Judgement judgement;                       ///< points into `run` and the exercise
+    std::string mistake;                       ///< the name of the classic mistake that it looks like; "" for none
+    std::string looks_like;                    ///< what is to be said of that
+    std::optional<std::pair<int, int>> pixel;  ///< of the failing scene, if one was written
+    std::chrono::duration<double> took{};
+
+    Tested() = default;
+    Tested(const Tested&) = delete;
+    Tested(Tested&&) = default;
+    Tested& operator=(Tested&&) = default;
+};
+
+/// A learner at work: where, and how far. What is remembered is written down at once.
+class Learner {
+public:
+    /// `say` is told what takes long, and what is wrong but need not stop anybody.
+    Learner(Workspace workspace, std::function<void(const std::string&)> say);
+
+    const Workspace& workspace() const { return workspace_; }
+    const Toolchain& tools();
+    const LessonProgress& progress(const Exercise& exercise) { return remembered(exercise); }
+
+    /// The lesson that is asked for, by number or name; of "" the first that has not been passed, or the last.
+    const Exercise& lesson(const std::string& name = "");
+
+    /// Whether the learner's headers are what was tested last.
+    bool is_tested(const Exercise& exercise);
+
+    /// Tests a lesson; its starters are made if they are not there. Throws Error.
+    Tested test(const Exercise& exercise, const std::stop_token& stop = {});
+
+    /// The function that a hint would be for: the first that has not passed; null if all have.
+    const Function* next_function(const Exercise& exercise, const std::stop_token& stop = {});
+
+    /// The next hint for a function, from 1 to 3; it is remembered. The last one stays the last.
+    int next_hint(const Exercise& exercise, const Function& function);
+
+    void remember_giving_up(const Exercise& exercise);
+
+    /// Where the scene of a failed test is.
+    std::filesystem::path failing_scene_file() const { return workspace_.hidden() / "failing.toml"; }
+
+private:
+    std::filesystem::path progress_file() const { return workspace_.hidden() / "progress.json"; }
+    LessonProgress& remembered(const Exercise& exercise) { return progress_.lessons[exercise.name]; }
+    void save() const { write_progress(progress_file(), progress_); }
+
+    Workspace workspace_;
+    std::function<void(const std::string&)> say_;
+    Progress progress_;
+    std::optional<Toolchain> tools_;
+};
+
+/// What the headers of a lesson are, so that a change is noticed.
+std::string fingerprint_of(const Workspace& workspace, const Exercise& exercise);
+
+}  // namespace glassbox::learn

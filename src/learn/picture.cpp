@@ -1,0 +1,72 @@
+#include "learn/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "learn/test_run.hpp"
+#include "scene/error.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr int largest_side = 16384;
+
+/// The words for a program that wrote no picture.
+std::string end_of(const Outcome& outcome) {
+    const std::string text = outcome.last_words.kind == LastWords::threw ? outcome.last_words.text : "";
+    if (text.starts_with('`') && text.find("` is not written yet (") != std::string::npos) return text;
+    std::string words = in_words(outcome);
+    if (words.empty() && outcome.last_words.kind != LastWords::finished) words = "it ended before its work was done";
+    return words;
+}
+
+}  // namespace
+
+Image read_ppm(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string magic;
+    int width = 0, height = 0, most = 0;
+    in >> magic >> width >> height >> most;
+    const bool good = in && magic == "P6" && width > 0 && height > 0 && most == 255 && width <= largest_side &&
+                      height <= largest_side && in.get() != std::char_traits<char>::eof();
+    if (!good) throw error_at({file.string()}, "this is not a picture in PPM's binary form, P6, with bytes up to 255");
+    Image image(width, height);
+    static_assert(sizeof(Rgb) == 3);
+    const auto bytes = static_cast<std::streamsize>(image.pixels.size() * sizeof(Rgb));
+    if (!in.read(reinterpret_cast<char*>(image.pixels.data()), bytes))
+        throw error_at({file.string()},
+                       fmt::format("the picture ends early: {}x{} pixels are {} bytes", width, height, bytes));
+    return image;
+}
+
+LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
+                             const fs::path& headers, const fs::path& folder, const std::stop_token& stop) {
+    const fs::path object = folder / "picture.o", program = folder / "picture-program", ppm = folder / "picture.ppm";
+    LessonPicture picture;
+    Compilation what{exercise.lesson / "main.cpp",
+                     object,
+                     includes_of(workspace, exercise, headers),
+                     {"-O1", "-g0", "-Werror=return-type", "-Dmain=lesson_main"},
+                     workspace.root};
+    picture.error = compile_error(compile(tools.compiler, what, stop), headers, workspace.root);
+    if (!picture.error) picture.error = link_error(link(tools.compiler, {object, tools.picture_main}, program, stop));
+    if (picture.error) return picture;
+
+    std::error_code none;
+    fs::remove(ppm, none);
+    Command command{program, {ppm.string()}};
+    command.folder = folder;
+    command.limits = {.time = 20s, .memory = std::uint64_t{1} << 30, .file = std::uint64_t{64} << 20};
+    const Outcome outcome = run(command, stop);
+    picture.died = end_of(outcome);
+    if (picture.died.empty()) picture.image = read_ppm(ppm);
+    return picture;
+}
+
+}  // namespace glassbox::learn

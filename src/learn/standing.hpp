@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "learn/progress.hpp"
+#include "render/image.hpp"
+
+namespace glassbox::learn {
+
+/// How a learner stands with one function.
+struct FunctionStanding {
+    std::string name, header;
+    State state = State::unknown;
+    int hints = 0;  ///< how many were shown
+};
+
+/// What became of a lesson's tests.
+enum class Verdict { not_begun, does_not_compile, failing, passed };
+
+/// How a learner stands in a lesson, as a teacher wants to know it.
+struct LessonStanding {
+    int number = 0;
+    std::string title;
+    Verdict verdict = Verdict::not_begun;
+    std::vector<FunctionStanding> functions;
+    int cases = 0, cases_passed = 0;  ///< of the tests that ran, one for each scalar
+    int runs = 0;                     ///< how often the learner had them tested
+    bool gave_up = false;             ///< the solution was shown before they passed
+    std::string wrong;                ///< the first thing that is wrong, in lines; "" if nothing is
+    std::string mistake;              ///< what it looks like, if it is a classic mistake
+    std::optional<Image> mine, ours;  ///< the lesson's picture; `mine` is missing if there is none
+    std::string no_picture;           ///< why
+};
+
+/// How a learner stands in all lessons.
+struct LearnerStanding {
+    std::string learner;
+    std::vector<LessonStanding> lessons;
+};
+
+int functions_passed(const LessonStanding& lesson);
+
+/// How many pixels of the learner's picture differ from ours; none, if there is no picture of the same size.
+std::optional<int> pixels_differing(const LessonStanding& lesson);
+
+}  // namespace glassbox::learn

@@ -1,0 +1,270 @@
+#include "learn/telling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+
+#include "explain/shell_word.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string mark(State state, const Paint& paint) {
+    switch (state) {
+        case State::passed:
+            return paint.good("✓");
+        case State::failing:
+            return paint.bad("✗");
+        default:
+            return paint.faint("·");
+    }
+}
+
+std::string plural(std::size_t count, std::string_view thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// "✓ nearest  ✗ intersect  · normal".
+std::string functions_line(const Exercise& exercise, const std::vector<State>& states, const Paint& paint) {
+    std::string line;
+    for (std::size_t i = 0; i < exercise.functions.size(); ++i)
+        line += fmt::format("{}{} {}", i == 0 ? "" : "  ", mark(i < states.size() ? states[i] : State::unknown, paint),
+                            exercise.functions[i].name);
+    return line;
+}
+
+std::string indented(std::string_view text, std::string_view by) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        result += fmt::format("{}{}\n", by, text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return result;
+}
+
+/// "expected   5": a row of what a failed case tells; nothing if there is nothing to tell.
+std::string row(std::string_view name, std::string_view value, const Paint& paint) {
+    return value.empty() ? "" : fmt::format("  {} {}\n", paint.faint(fmt::format("{:<9}", name)), value);
+}
+
+/// The test's name without the scalar, and the scalar.
+std::pair<std::string, std::string> name_and_scalar(const std::string& name) {
+    for (const std::string_view scalar : {"<double>", "<float>", "<long double>"})
+        if (name.ends_with(scalar))
+            return {name.substr(0, name.size() - scalar.size()), std::string(scalar.substr(1, scalar.size() - 2))};
+    return {name, ""};
+}
+
+std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ", ")); }
+
+/// "my/1-rays/vec3.hpp:57", the line being where the function begins, as far as it can be found by its name.
+std::string place_of(const Workspace& workspace, const Exercise& exercise, const Function& function) {
+    const fs::path path = workspace.header(exercise, function.header);
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return shown(path);
+    std::ifstream in(path);
+    int number = 0, call = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        const std::size_t code = std::min(line.find_first_not_of(' '), line.size());
+        if (line.compare(code, 2, "//") == 0) continue;
+        if (line.find("not_written<") != std::string::npos && line.find('"' + function.name + '"') != std::string::npos)
+            return fmt::format("{}:{}", shown(path), number);
+        const bool begins = line.find(' ' + function.name + '(') != std::string::npos ||
+                            line.find("struct " + function.name) != std::string::npos;
+        if (begins && call == 0 && line.find("return") == std::string::npos) call = number;
+    }
+    return call == 0 ? shown(path) : fmt::format("{}:{}", shown(path), call);
+}
+
+std::string ulps_text(const std::string& ulps) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(ulps.data(), ulps.data() + ulps.size(), number);
+    if (ulps.empty() || error != std::errc{} || !(number < 1e300)) return "";
+    return fmt::format("{:.3g} ulps (units in the last place)", number);
+}
+
+std::string failure_text(const Workspace& workspace, const CaseResult& one, const Paint& paint) {
+    const Failure& failure = *one.failure;
+    const auto [name, scalar] = name_and_scalar(one.name);
+    std::string text = row("test", scalar.empty() ? name : fmt::format("{}; in {}", name, scalar), paint);
+    text += row("checked", failure.expression, paint);
+    text += row("expected", failure.expected, paint);
+    if (failure.threw.empty() && failure.died.empty()) text += row("got", paint.strong(failure.got), paint);
+    if (!failure.threw.empty()) text += row("threw", failure.threw, paint);
+    if (!failure.died.empty()) text += row("died", failure.died, paint);
+    text += row("off by", ulps_text(failure.ulps), paint);
+    std::vector<std::string> with = failure.subcases;
+    with.insert(with.end(), failure.contexts.begin(), failure.contexts.end());
+    text += row("with", joined(with), paint);
+    if (!failure.file.empty())
+        text += row("at", fmt::format("{}:{}", shown((workspace.root / failure.file).lexically_normal()), failure.line),
+                    paint);
+    return text;
+}
+
+/// What is remembered of each function of a lesson.
+std::vector<State> states_of(const Exercise& exercise, const LessonProgress& progress) {
+    std::vector<State> states;
+    for (const Function& function : exercise.functions) {
+        const auto found = progress.functions.find(function.name);
+        states.push_back(found == progress.functions.end() ? State::unknown : found->second);
+    }
+    return states;
+}
+
+std::string bar(std::size_t done, std::size_t all, const Paint& paint) {
+    constexpr std::size_t width = 12;
+    const std::size_t full = all == 0 ? 0 : done * width / all;
+    std::string filled, empty;
+    for (std::size_t i = 0; i < width; ++i) (i < full ? filled : empty) += i < full ? "█" : "░";
+    return paint.good(filled) + paint.faint(empty);
+}
+
+std::string passed_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint) {
+    const Workspace& workspace = learner.workspace();
+    std::string text =
+        fmt::format("{} {}\n\n", paint.good("✓"),
+                    paint.strong(fmt::format("All {} of lesson {} pass. {}", plural(tested.run.cases.size(), "test"),
+                                             exercise.number, exercise.sentence)));
+    text += fmt::format("  See your picture:       {}\n",
+                        command_line(workspace, fmt::format("picture {} -o picture.png", exercise.number)));
+    text += fmt::format("  Compare with ours:      {}\n",
+                        command_line(workspace, fmt::format("solution {}", exercise.number)));
+    const Exercise& next = learner.lesson();
+    if (learner.progress(next).passed) text += "  That was the last one. You have written a ray tracer.\n";
+    else
+        text += fmt::format("  Next, lesson {}:         {}, and then {}\n", next.number,
+                            shown(next.lesson / "README.md"), command_line(workspace, "test"));
+    return text;
+}
+
+}  // namespace
+
+std::string Paint::set(std::string_view code, std::string_view text) const {
+    return colours && !text.empty() ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+}
+
+std::string error_text(const CompileError& error, const Paint& paint) {
+    std::string where = shown(error.place.file);
+    if (error.place.line > 0) where += fmt::format(":{}", error.place.line);
+    if (error.place.column > 0) where += fmt::format(":{}", error.place.column);
+    std::string text = error.place.file.empty() ? fmt::format("{} It does not compile.\n", paint.bad("✗"))
+                                                : fmt::format("{} {}: {}\n", paint.bad("✗"), paint.strong(where),
+                                                              error.yours ? "this does not compile"
+                                                                          : "this does not compile with your headers");
+    if (!error.source.empty()) text += '\n' + indented(with_caret(error), "    ");
+    text += '\n';
+    if (!error.plain.empty()) text += fmt::format("  {}\n", error.plain);
+    text += row("compiler", error.message, paint);
+    if (error.others > 0)
+        text += fmt::format("  {}\n",
+                            paint.faint(fmt::format("and {}, most likely because of this one",
+                                                    plural(static_cast<std::size_t>(error.others), "more error"))));
+    return text;
+}
+
+std::string command_line(const Workspace& workspace, std::string_view words) {
+    std::error_code failed;
+    const bool at_root = fs::equivalent(fs::current_path(failed), workspace.root, failed);
+    std::string line = fmt::format("{} learn {}", at_root ? "./glassbox" : "glassbox", words);
+    if (workspace.folder != workspace.root / "my") line += " --folder " + shell_word(shown(workspace.folder));
+    return line;
+}
+
+std::string status_text(Learner& learner, const Paint& paint) {
+    const Workspace& workspace = learner.workspace();
+    const Exercise& present = learner.lesson();
+    std::string text = fmt::format("{}, in {}\n\n", paint.strong("Your lessons"), shown(workspace.folder));
+    for (const Exercise& exercise : workspace.exercises) {
+        const LessonProgress& progress = learner.progress(exercise);
+        const std::vector<State> states = states_of(exercise, progress);
+        const auto done = static_cast<std::size_t>(std::count(states.begin(), states.end(), State::passed));
+        std::string words =
+            progress.passed ? "passed" : fmt::format("{} of {}", done, plural(states.size(), "function"));
+        if (progress.gave_up) words += ", the solution was shown";
+        int hints = 0;
+        for (const auto& [function, count] : progress.hints) hints += count;
+        if (hints > 0) words += ", " + plural(static_cast<std::size_t>(hints), "hint");
+        text += fmt::format("  {} {:<10} {}  {}\n", exercise.number, exercise.title,
+                            bar(progress.passed ? states.size() : done, states.size(), paint), words);
+        if (&exercise == &present && !progress.passed)
+            text += fmt::format("               {}\n", functions_line(exercise, states, paint));
+    }
+    const LessonProgress& progress = learner.progress(present);
+    if (progress.passed)
+        return text + fmt::format("\nAll are passed. To see yours beside ours: {}\n",
+                                  command_line(workspace, fmt::format("picture {} -o picture.png", present.number)));
+    text += fmt::format("\nLesson {}, {}: {}\n", present.number, present.title, present.sentence);
+    text += fmt::format("  read    {}\n", shown(present.lesson / "README.md"));
+    const std::vector<State> states = states_of(present, progress);
+    const auto open = std::find_if(states.begin(), states.end(), [](State state) { return state != State::passed; });
+    if (open != states.end()) {
+        const Function& function = present.functions[static_cast<std::size_t>(open - states.begin())];
+        text += fmt::format("  {}   {} in {}\n", *open == State::failing ? "mend" : "write", function.name,
+                            place_of(workspace, present, function));
+    }
+    text +=
+        fmt::format("  then    {}{}\n", command_line(workspace, fmt::format("test {}", present.number)),
+                    progress.runs > 0 && !learner.is_tested(present) ? "   (it has changed since it was tested)" : "");
+    return text;
+}
+
+std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint) {
+    const Workspace& workspace = learner.workspace();
+    const TestRun& run = tested.run;
+    std::string text =
+        fmt::format("{}  {}\n", paint.strong(fmt::format("Lesson {}, {}", exercise.number, exercise.title)),
+                    paint.faint(fmt::format("({:.1f} s)", tested.took.count())));
+    if (run.error) return text + '\n' + error_text(*run.error, paint);
+    text += "  " + functions_line(exercise, tested.judgement.functions, paint) + "\n\n";
+    if (run.passed()) return text + passed_text(learner, exercise, tested, paint);
+    if (!run.disturbed.empty()) text += fmt::format("{} {}\n", paint.bad("✗"), run.disturbed);
+    const CaseResult* one = tested.judgement.shown;
+    if (!one) return text + (run.disturbed.empty() ? "No test has run: were they all taken away?\n" : "");
+
+    const Function* function = tested.judgement.function;
+    const std::string missing = one->failure->not_written();
+    if (function && missing == function->name) {
+        text += fmt::format("{} Next to write: {} in {}\n", paint.faint("·"), paint.strong(function->name),
+                            place_of(workspace, exercise, *function));
+    } else {
+        text += fmt::format(
+            "{} {}\n", paint.bad("✗"),
+            function ? fmt::format("{} in {}", paint.strong(function->name), place_of(workspace, exercise, *function))
+                     : "this is not as it should be");
+        text += failure_text(workspace, *one, paint);
+        const int others = tested.judgement.failed - 1;
+        if (others > 0)
+            text += fmt::format("  {}\n", paint.faint(fmt::format("{} more fail, or wait for this one", others)));
+    }
+    text += '\n';
+    if (!tested.looks_like.empty())
+        text += fmt::format("  {} {}\n", paint.strong("This looks familiar."), tested.looks_like);
+    if (tested.pixel)
+        text += fmt::format("  Look at this ray:  {} view {} --pixel {},{} --mine\n",
+                            command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
+                            shell_word(shown(learner.failing_scene_file())), tested.pixel->first, tested.pixel->second);
+    text += fmt::format("  A hint:            {}\n", command_line(workspace, fmt::format("hint {}", exercise.number)));
+    return text;
+}
+
+std::string hint_text(const Workspace& workspace, const Exercise& exercise, const Function& function, int tier,
+                      const Paint& paint) {
+    constexpr std::string_view kinds[] = {"A question", "The formula", "The code"};
+    const auto index = static_cast<std::size_t>(std::clamp(tier, 1, hint_tiers) - 1);
+    std::string text = fmt::format("{} in {}\n{} (hint {} of {}):\n\n", paint.strong(function.name),
+                                   place_of(workspace, exercise, function), kinds[index], tier, hint_tiers);
+    text += indented(function.hints[index], "    ");
+    text += '\n';
+    if (tier < hint_tiers)
+        text += fmt::format("The next hint: {}\n", command_line(workspace, fmt::format("hint {}", exercise.number)));
+    return text;
+}
+
+}  // namespace glassbox::learn
