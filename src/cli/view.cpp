@@ -15,9 +15,12 @@ namespace glassbox {
 
 namespace {
 
+/// What --mine is without a number.
+constexpr const char* present_lesson = "true";
+
 struct ViewRequest {
-    std::string scene = "levental-2014";
-    std::string pixel, overlay, script, screenshot, size;
+    std::string scene;  ///< empty: the paper's, or that of the learner's lesson
+    std::string pixel, overlay, script, screenshot, size, mine, folder;
     bool bench = false;
 };
 
@@ -25,6 +28,23 @@ std::optional<WindowSize> window_size(const ViewRequest& request) {
     if (request.size.empty()) return {};
     const auto [width, height] = size("--size", request.size);
     return WindowSize{width, height};
+}
+
+/// What is shown at first: a scene, and if asked for the learner's picture of it.
+ViewerState first_state(const ViewRequest& request) {
+    const bool mine = !request.mine.empty();
+    std::optional<int> lesson;
+    if (mine && request.mine != present_lesson) lesson = whole_number("--mine", request.mine, 1, 99);
+    MineChoice choice;
+    choice.folder = request.folder;
+    if (mine) choice = chosen_mine(choice, lesson);
+    if (lesson && choice.workspace && !choice.problem.empty()) throw wrong("--mine", choice.problem);
+    const learn::Exercise* const exercise = exercise_of(choice);
+    const std::string usual = exercise ? (choice.workspace->root / exercise->scene).string() : "levental-2014";
+    ViewerState state = opened(scene_path(request.scene.empty() ? usual : request.scene));
+    state.mine = choice;
+    if (mine) show_mine(state, lesson);
+    return state;
 }
 
 void print(const Quickness& q) {
@@ -42,7 +62,7 @@ void run(const ViewRequest& request) {
     const std::optional<WindowSize> size = window_size(request);
     std::vector<ScriptStep> script;
     if (!request.script.empty()) script = read_script(request.script);
-    ViewerState state = opened(scene_path(request.scene));
+    ViewerState state = first_state(request);
     state.scene_menu.folder = shipped_scenes();
     if (!request.pixel.empty()) {
         const auto [x, y] = pixel("--pixel", request.pixel, *state.scene);
@@ -67,11 +87,16 @@ void add_view(CLI::App& program) {
     const auto request = std::make_shared<ViewRequest>();
     CLI::App* command = program.add_subcommand("view", "Open the viewer: click a pixel, see everything that made it");
     command
-        ->add_option("SCENE", request->scene,
-                     "a scene file, or the name of one that comes with Glassbox (default: levental-2014)")
+        ->add_option(
+            "SCENE", request->scene,
+            "a scene file, or the name of one that comes with Glassbox (default: levental-2014, or with --mine "
+            "the lesson's own)")
         ->type_name(" ");
     command->add_option("--pixel", request->pixel, "a pixel to begin with")->type_name("X,Y");
     command->add_option("--overlay", request->overlay, "a measurement to lay over the picture")->type_name("NAME");
+    command->add_flag("--mine", request->mine,
+                      "the picture of your own code beside ours; --mine=2 for lesson 2, else the lesson where you are");
+    command->add_option("--folder", request->folder, "the folder of your own code (default: my)")->type_name("DIR");
     command->add_option("--size", request->size, "of the window, in pixels (default: as last time)")->type_name("WxH");
     add_file(*command, "--script", "FILE", "run the commands in a file, without a display (docs/viewer.md)",
              request->script);

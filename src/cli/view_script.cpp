@@ -58,11 +58,13 @@ constexpr NameTable<Page, 4> pages{{
     {"overlay", Page::overlay, ""},
     {"controls", Page::controls, ""},
 }};
-constexpr NameTable<Beside, 4> besides{{
+constexpr NameTable<Beside, 6> besides{{
     {"nothing", Beside::nothing, ""},
     {"overlay", Beside::overlay, ""},
     {"other", Beside::other, ""},
     {"difference", Beside::difference, ""},
+    {"mine", Beside::mine, ""},
+    {"mine-difference", Beside::mine_difference, ""},
 }};
 constexpr NameTable<StepTo, 6> step_targets{{
     {"first", StepTo::first, ""},
@@ -168,6 +170,10 @@ constexpr Settable settables[] = {
      }},
     {"split",
      [](Name name, Name typed) { return change([at = number(name, typed, 0, 1)](ViewerState& s) { s.split = at; }); }},
+    {"lesson",
+     [](Name name, Name typed) {
+         return change([lesson = whole_number(name, typed, 1, 99)](ViewerState& s) { show_mine(s, lesson); });
+     }},
     {"opacity",
      [](Name name, Name typed) {
          return change([value = number(name, typed, 0, 1)](ViewerState& s) { s.overlay.opacity = value; });
@@ -295,9 +301,12 @@ const Command commands[] = {
      }},
     {"overlay", "overlay NAME | none", 1, 1, overlay},
     {"range", "range LOW HIGH | auto", 1, 2, range},
-    {"beside", "beside nothing | overlay | other | difference", 1, 1,
+    {"beside", "beside nothing | overlay | other | difference | mine | mine-difference", 1, 1,
      [](const Words& w) {
-         return change([what = chosen("beside", w[1], besides)](ViewerState& state) { state.beside = what; });
+         return change([what = chosen("beside", w[1], besides)](ViewerState& state) {
+             state.beside = what;
+             if (shows_mine(state)) show_last_mine(state);
+         });
      }},
     {"stage", "stage 1..5", 1, 1,
      [](const Words& w) {

@@ -8,7 +8,7 @@ BEGIN {
     allow("render", "engine scene numerics")
     allow("output", "render scene numerics")
     allow("explain", "render scene numerics")
-    allow("viewer", "explain output render engine scene numerics")
+    allow("viewer", "learn explain output render engine scene numerics")
     allow("learn", "explain output render scene numerics")
     allow("bench", "render engine scene numerics")
     allow("cli", "bench learn viewer explain output render engine scene numerics")

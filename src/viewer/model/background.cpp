@@ -27,6 +27,8 @@ Background::Background(const std::function<void()>& wake)
     : pixels_done_(std::make_shared<std::atomic<std::int64_t>>(0)),
       picture_(wake),
       other_(wake),
+      maker_(std::make_shared<learn::mine::Maker>()),
+      mine_(wake),
       overlay_(wake),
       story_(wake),
       compared_(wake) {}
@@ -43,6 +45,40 @@ void Background::ask_for_picture(Worker<Seen, Picture>& worker, const std::optio
                 deliver({std::make_shared<const Image>(render(scene, seen.setup.options, job)), factor});
             });
         });
+}
+
+void Background::ask_for_mine(const std::optional<SeenMine>& wanted) {
+    if (mine_.asked == wanted) return;
+    mine_.asked = wanted;
+    if (!wanted) return mine_.latest.cancel();
+    mine_.latest.ask([wanted = *wanted, maker = maker_](const std::stop_token& stop, const auto& deliver) {
+        const auto tell = [&](learn::mine::News news) {
+            deliver(std::make_shared<const learn::mine::News>(std::move(news)));
+        };
+        const learn::Exercise& exercise = learn::exercise_called(*wanted.workspace, std::to_string(wanted.lesson));
+        try {
+            maker->make(*wanted.workspace, exercise, applied(*wanted.seen.scene, wanted.seen.setup),
+                        wanted.seen.setup.options, tell, stop);
+        } catch (const std::exception& error) {  // the machine cannot do it
+            learn::mine::News news;
+            news.stand = learn::mine::Stand::not_there;
+            news.words = error.what();
+            tell(std::move(news));
+        }
+    });
+}
+
+void Background::update_mine(const ViewerState& state, const Seen& seen, Results& results) {
+    const bool shown = shows_mine(state);
+    if (!shown && results.mine) results.mine = nullptr, results.other = {};
+    const bool possible = shown && exercise_of(state.mine);
+    ask_for_mine(possible ? std::optional(SeenMine{seen, state.mine.workspace, state.mine.lesson, state.mine.saved})
+                          : std::nullopt);
+    if (!shown) return;
+    const auto& last = results.other.image;
+    if (!results.mine || (last && (last->width != seen.scene->width || last->height != seen.scene->height)))
+        results.other = {};
+    if (!results.mine) results.mine = std::make_shared<const learn::mine::News>();
 }
 
 void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
@@ -81,7 +117,8 @@ void Background::update(const ViewerState& state, Results& results) {
     other.setup.options.sphere_rule = state.other.sphere_rule;
     other.setup.options.triangle_rule = state.other.triangle_rule;
     ask_for_picture(other_, with_other ? std::optional(other) : std::nullopt, false);
-    if (!with_other) results.other = {};
+    if (!with_other && !shows_mine(state)) results.other = {};
+    update_mine(state, seen, results);
 
     const Measurement* const what = find_measurement(state.overlay.measurement);
     ask_for_overlay(what ? std::optional(SeenMeasured{seen, what}) : std::nullopt);
@@ -107,10 +144,16 @@ void Background::update(const ViewerState& state, Results& results) {
         return true;
     };
     // Read before anything is taken: what ends in between counts as still busy, and is there at the next update.
-    results.busy = picture_.latest.busy() || other_.latest.busy() || overlay_.latest.busy() || story_.latest.busy() ||
-                   compared_.latest.busy();
+    results.busy = picture_.latest.busy() || other_.latest.busy() || mine_.latest.busy() || overlay_.latest.busy() ||
+                   story_.latest.busy() || compared_.latest.busy();
     take(picture_, results.picture, results.picture_serial);
     take(other_, results.other, results.other_serial);
+    if (take(mine_, results.mine, results.mine_serial) && results.mine->drawing) {
+        const bool whole = results.mine->stand == learn::mine::Stand::drawn;
+        const auto& drawing = results.mine->drawing;
+        results.other = {std::shared_ptr<const Image>(drawing, &drawing->image), whole ? 1 : 2};
+        ++results.other_serial;
+    }
     take(overlay_, results.overlay, results.overlay_serial);
     if (take(story_, results.story, results.story_serial)) results.timeline = timeline(*results.story);
     take(compared_, results.compared, results.story_serial);
@@ -118,8 +161,8 @@ void Background::update(const ViewerState& state, Results& results) {
     const double pixels = 1.0 * state.scene->width * state.scene->height;
     results.progress = picture_.latest.busy() ? static_cast<double>(*pixels_done_) / pixels : 1;
     results.error.clear();
-    for (const std::string& error : {picture_.latest.error(), other_.latest.error(), overlay_.latest.error(),
-                                     story_.latest.error(), compared_.latest.error()})
+    for (const std::string& error : {picture_.latest.error(), other_.latest.error(), mine_.latest.error(),
+                                     overlay_.latest.error(), story_.latest.error(), compared_.latest.error()})
         if (!error.empty()) results.error = error;
 }
 

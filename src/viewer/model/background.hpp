@@ -41,6 +41,14 @@ private:
 
         bool operator==(const SeenMeasured&) const = default;
     };
+    struct SeenMine {
+        Seen seen;
+        std::shared_ptr<const learn::Workspace> workspace;
+        int lesson;
+        std::uint64_t saved;
+
+        bool operator==(const SeenMine&) const = default;
+    };
     /// A worker, and what it was last asked for.
     template <class What, class Result>
     struct Worker {
@@ -51,11 +59,15 @@ private:
     using StoryWorker = Worker<SeenPixel, std::shared_ptr<const Story>>;
 
     void ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted);
+    void ask_for_mine(const std::optional<SeenMine>& wanted);
+    void update_mine(const ViewerState& state, const Seen& seen, Results& results);
     void ask_for_overlay(const std::optional<SeenMeasured>& wanted);
     static void ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted);
 
     std::shared_ptr<std::atomic<std::int64_t>> pixels_done_;
     Worker<Seen, Picture> picture_, other_;
+    std::shared_ptr<learn::mine::Maker> maker_;
+    Worker<SeenMine, std::shared_ptr<const learn::mine::News>> mine_;
     Worker<SeenMeasured, std::shared_ptr<const MeasuredPlanes>> overlay_;
     StoryWorker story_, compared_;
 };

@@ -26,18 +26,29 @@ Version version(const std::filesystem::path& file) {
 
 }  // namespace
 
-FileWatch::FileWatch(std::filesystem::path file, std::function<void()> wake)
-    : file_(std::move(file)), wake_(std::move(wake)), thread_([this](const std::stop_token& end) { run(end); }) {}
+FileWatch::FileWatch(std::vector<std::filesystem::path> files, Gone gone, std::function<void()> wake)
+    : files_(std::move(files)),
+      gone_(gone),
+      wake_(std::move(wake)),
+      thread_([this](const std::stop_token& end) { run(end); }) {}
 
 void FileWatch::run(const std::stop_token& end) {
-    Version last = version(file_);
+    constexpr std::chrono::milliseconds between_looks{125};
+    const auto look = [this] {
+        std::vector<Version> versions;
+        for (const std::filesystem::path& file : files_) versions.push_back(version(file));
+        return versions;
+    };
+    std::vector<Version> last = look();
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
-        ended_.wait_for(lock, end, std::chrono::milliseconds(250), [] { return false; });
-        const Version now = version(file_);
-        if (now == last) continue;
+        ended_.wait_for(lock, end, between_looks, [] { return false; });
+        const std::vector<Version> now = look();
+        bool changed = false;
+        for (std::size_t i = 0; i < now.size(); ++i)
+            changed = changed || (now[i] != last[i] && (now[i] != Version{} || gone_ == Gone::is_a_change));
         last = now;
-        if (now == Version{}) continue;
+        if (!changed) continue;
         changed_ = true;
         wake_();
     }

@@ -5,25 +5,30 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace glassbox {
 
-/// Looks at a file four times a second, which works on network and virtual file systems too, and notices when it has
+/// Looks at files several times a second, which works on network and virtual file systems too, and notices when one has
 /// changed.
 class FileWatch {
 public:
-    /// `wake` is called from another thread when there is something to tell.
-    FileWatch(std::filesystem::path file, std::function<void()> wake);
+    /// Whether a file that goes away has changed. An editor may take it away for a moment while it writes.
+    enum class Gone { is_no_change, is_a_change };
 
-    /// Whether the file has changed since this was last asked.
+    /// `wake` is called from another thread when there is something to tell.
+    FileWatch(std::vector<std::filesystem::path> files, Gone gone, std::function<void()> wake);
+
+    /// Whether a file has changed since this was last asked.
     bool has_changed() { return changed_.exchange(false); }
 
-    const std::filesystem::path& file() const { return file_; }
+    const std::vector<std::filesystem::path>& files() const { return files_; }
 
 private:
     void run(const std::stop_token& end);
 
-    std::filesystem::path file_;
+    std::vector<std::filesystem::path> files_;
+    Gone gone_;
     std::function<void()> wake_;
     std::atomic<bool> changed_ = false;
     std::mutex mutex_;

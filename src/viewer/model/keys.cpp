@@ -71,6 +71,8 @@ void change_text_size(State& state, float by) {
 }
 
 constexpr KeyBinding bindings[] = {
+    {character('m'), "m", "show your own code's picture beside ours, or hide it", "Picture",
+     [](State& s, const Results&, const KeyPress&) { toggle_mine(s); }},
     {character('f'), "F", "fit the whole picture", "Picture", fit},
     {character('1'), "1", "one to one", "Picture", [](State& s, const Results&, const KeyPress&) { zoom(s, 1); }},
     {character('+'), "+", "zoom in", "Picture",

@@ -67,6 +67,9 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.beside = state.beside;
         fresh.split = state.split;
         fresh.other = state.other;
+        fresh.mine = state.mine;
+        const learn::Exercise* const lesson = exercise_of(fresh.mine);
+        if (lesson && shows_mine(fresh)) fresh.setup = History(for_lesson(fresh.setup.now(), *lesson));
         state = std::move(fresh);
     } catch (const Error& error) {
         state.file_error = error.what();

@@ -7,6 +7,7 @@
 
 #include "scene/scene.hpp"
 #include "viewer/model/history.hpp"
+#include "viewer/model/mine.hpp"
 #include "viewer/model/number_form.hpp"
 #include "viewer/model/picture_view.hpp"
 #include "viewer/model/setup.hpp"
@@ -30,10 +31,12 @@ struct OverlayPage {
 
 /// What stands on the right of the split.
 enum class Beside {
-    nothing,     ///< one picture, the overlay over all of it
-    overlay,     ///< the overlay, on the right only
-    other,       ///< the same scene by another scalar and other rules
-    difference,  ///< where that picture differs from this
+    nothing,          ///< one picture, the overlay over all of it
+    overlay,          ///< the overlay, on the right only
+    other,            ///< the same scene by another scalar and other rules
+    difference,       ///< where that picture differs from this
+    mine,             ///< the same scene by the learner's own code
+    mine_difference,  ///< where that picture differs from this
 };
 
 /// How the interface looks.
@@ -97,6 +100,7 @@ struct ViewerState {
     Beside beside = Beside::nothing;
     double split = 0.5;  ///< where the split is, from the picture area's left (0) to its right (1)
     Options other;       ///< what `Beside::other` is computed by: its scalar and rules count
+    MineChoice mine;     ///< what `Beside::mine` is computed by
 
     std::size_t step = 0;  ///< on the timeline of the pinned pixel
     bool playing = false;

@@ -79,7 +79,7 @@ void Interface::prepare() {
 double Interface::draw(const Input& input) {
     if (!ImGui::GetIO().WantTextInput)
         for (const KeyPress& press : input.keys) obey(press, state_, results_);
-    watch_file();
+    watch_files();
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
     background_.update(state_, results_);
@@ -92,9 +92,15 @@ double Interface::draw(const Input& input) {
     return moving || results_.busy ? 1.0 / 30 : forever;
 }
 
-void Interface::watch_file() {
-    if (!watch_ || watch_->file() != state_.file) watch_ = std::make_unique<FileWatch>(state_.file, wake_);
-    if (watch_->has_changed()) reload(state_);
+void Interface::watch_files() {
+    const auto changed = [this](std::unique_ptr<FileWatch>& watch, const std::vector<std::filesystem::path>& files,
+                                FileWatch::Gone gone) {
+        if (!watch || watch->files() != files) watch = std::make_unique<FileWatch>(files, gone, wake_);
+        return watch->has_changed();
+    };
+    if (changed(scene_watch_, {state_.file}, FileWatch::Gone::is_no_change)) reload(state_);
+    if (!shows_mine(state_)) mine_watch_.reset();
+    else if (changed(mine_watch_, files_of(state_.mine), FileWatch::Gone::is_a_change)) ++state_.mine.saved;
 }
 
 void Interface::lay_out(const Frame& frame) {

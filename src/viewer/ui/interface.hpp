@@ -31,7 +31,7 @@ public:
     void prepare();
 
 private:
-    void watch_file();
+    void watch_files();
     void lay_out(const Frame& frame);
 
     ViewerState state_;
@@ -46,7 +46,7 @@ private:
     double last_time_ = 0;
     std::function<void()> wake_;
     // Last: their threads end first.
-    std::unique_ptr<FileWatch> watch_;
+    std::unique_ptr<FileWatch> scene_watch_, mine_watch_;
     Background background_;
 };
 

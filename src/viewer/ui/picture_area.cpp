@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/legend_number.hpp"
+#include "viewer/ui/mine.hpp"
 #include "viewer/ui/overlay/beside.hpp"
 #include "viewer/ui/panels.hpp"
 #include "viewer/ui/steps/watch.hpp"
@@ -33,13 +34,21 @@ struct Canvas {
     float split() const { return corner.x + static_cast<float>(frame.state.split) * size.x; }
 };
 
+/// Pictures are drawn from whole pixel to whole pixel of the screen: else one made smaller can lose its last column.
+ImVec2 whole(ImVec2 p) { return {std::round(p.x), std::round(p.y)}; }
+
 void draw_texture(const Canvas& canvas, const Texture& texture, ImU32 tint = IM_COL32_WHITE) {
     if (texture.empty()) return;
     const Scene& scene = *canvas.frame.state.scene;
-    // From whole pixel to whole pixel of the screen: else a picture made smaller can lose its last column.
-    const auto whole = [](ImVec2 p) { return ImVec2(std::round(p.x), std::round(p.y)); };
     canvas.list.AddImage(texture.id(), whole(canvas.at(0, 0)), whole(canvas.at(scene.width, scene.height)), {0, 0},
                          {1, 1}, tint);
+}
+
+/// Nothing at all, so that ours is not taken for mine.
+void draw_blank(const Canvas& canvas) {
+    const Scene& scene = *canvas.frame.state.scene;
+    canvas.list.AddRectFilled(whole(canvas.at(0, 0)), whole(canvas.at(scene.width, scene.height)),
+                              canvas.frame.palette.canvas);
 }
 
 /// What is right of the split, or over all of the picture.
@@ -52,8 +61,13 @@ void draw_layers(const Canvas& canvas) {
     const float from = is_split ? canvas.split() : canvas.corner.x;
     canvas.list.PushClipRect({from, canvas.corner.y},
                              {canvas.corner.x + canvas.size.x, canvas.corner.y + canvas.size.y}, true);
-    if (state.beside == Beside::other && results.other.image) draw_texture(canvas, pictures.other());
-    if (state.beside == Beside::difference && results.other.image) draw_texture(canvas, pictures.difference());
+    // A picture of code that is no more is dimmed: a new one will come, or cannot.
+    const ImU32 tint = mine_is_old(canvas.frame) ? IM_COL32(110, 110, 110, 255) : IM_COL32_WHITE;
+    const bool other = state.beside == Beside::other || state.beside == Beside::mine;
+    const bool difference = state.beside == Beside::difference || state.beside == Beside::mine_difference;
+    if (shows_mine(state)) draw_blank(canvas);
+    if (other && results.other.image) draw_texture(canvas, pictures.other(), tint);
+    if (difference && results.other.image) draw_texture(canvas, pictures.difference(), tint);
     if (state.beside == Beside::nothing || state.beside == Beside::overlay) {
         const auto alpha = static_cast<int>(std::lround(255 * std::clamp(state.overlay.opacity, 0.0, 1.0)));
         if (results.overlay) draw_texture(canvas, pictures.overlay(), IM_COL32(255, 255, 255, alpha));
@@ -186,7 +200,10 @@ void draw_labels(const Canvas& canvas) {
     if (state.beside == Beside::other) right = "other: " + how_computed(other);
     if (state.beside == Beside::difference)
         right = fmt::format("difference × {} from: {}", Difference::magnification, how_computed(other));
-    draw_label(canvas, canvas.corner.x, split, "this: " + how_computed(now));
+    if (state.beside == Beside::mine) right = mine_title(state);
+    if (state.beside == Beside::mine_difference)
+        right = fmt::format("difference × {} from {}", Difference::magnification, mine_title(state));
+    draw_label(canvas, canvas.corner.x, split, (shows_mine(state) ? "ours: " : "this: ") + how_computed(now));
     draw_label(canvas, split, canvas.corner.x + canvas.size.x, right);
 }
 
@@ -270,10 +287,14 @@ void draw_picture(const Frame& frame) {
     draw_grid(canvas);
     draw_numbers(canvas);
     draw_watched_place(frame, canvas.list, canvas.corner);
+    const learn::mine::News* const mine = shows_mine(state) ? frame.results.mine.get() : nullptr;
+    if (mine && mine->spot)
+        draw_pin(canvas, {mine->spot->x, mine->spot->y}, mine_sign(frame).color, mine_sign(frame).sign);
     if (state.compared) draw_pin(canvas, *state.compared, frame.palette.second, "2");
     if (state.pinned) draw_pin(canvas, *state.pinned, frame.palette.accent, "1");
     draw_split(canvas);
     draw_labels(canvas);
+    if (shows_mine(state)) draw_mine_banner(frame, canvas.corner, size, canvas.split());
     canvas.list.PopClipRect();
     draw_file_error(frame, canvas.corner, size);
 }

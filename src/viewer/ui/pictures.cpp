@@ -20,6 +20,15 @@ std::vector<Rgba> opaque(const Image& image) {
 
 void fill(Texture& texture, const Image& image) { texture.fill(image.width, image.height, opaque(image)); }
 
+/// A learner's picture, with what is not a number in a colour that nothing has, and nothing where nothing is drawn.
+void fill(Texture& texture, const learn::mine::Drawing& drawing) {
+    std::vector<Rgba> pixels = opaque(drawing.image);
+    if (drawing.drawn == 0) std::fill(pixels.begin(), pixels.end(), Rgba{0, 0, 0, 0});
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (drawing.states[i] == learn::mine::SheetPixel::not_a_number) pixels[i] = {255, 0, 255, 255};
+    texture.fill(drawing.image.width, drawing.image.height, pixels);
+}
+
 /// What the paper's loops have reached after so many pixels: columns from the left, in each the rows from the bottom.
 /// The rest is blank.
 std::vector<Rgba> watched(const Image& image, std::size_t shown) {
@@ -65,7 +74,11 @@ void Pictures::update(const ViewerState& state, const Results& results) {
     }
 
     const Picture &one = results.picture, &other = results.other;
-    if (renewed(other_serial_, results.other_serial) && other.image) fill(other_, *other.image);
+    if (renewed(other_serial_, results.other_serial) && other.image) {
+        const bool mine = results.mine && results.mine->drawing && &results.mine->drawing->image == other.image.get();
+        if (mine) fill(other_, *results.mine->drawing);
+        else fill(other_, *other.image);
+    }
     if (!other.image) differing_.reset();
     if (!renewed(difference_serial_, results.picture_serial + results.other_serial)) return;
     differing_.reset();

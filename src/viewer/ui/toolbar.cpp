@@ -48,6 +48,9 @@ void draw_toolbar(const Frame& frame) {
     flow("Space");
     if (toggle("Space", state.space_shown)) state.space_shown = !state.space_shown;
     tip("Show or hide the scene in space");
+    flow("Mine");
+    if (toggle("Mine", shows_mine(state))) toggle_mine(state);
+    tip("Your own code's picture beside ours (m)");
     flow("Light");
     if (ImGui::Button(state.appearance.dark ? "Light" : "Dark")) state.appearance.dark = !state.appearance.dark;
     tip("Dark or light");

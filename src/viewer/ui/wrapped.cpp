@@ -26,8 +26,9 @@ std::string wrapped_line(std::string_view line, float room) {
 
 }  // namespace
 
-std::string wrapped(std::string_view text) {
-    const float room = ImGui::GetContentRegionAvail().x;
+std::string wrapped(std::string_view text) { return wrapped(text, ImGui::GetContentRegionAvail().x); }
+
+std::string wrapped(std::string_view text, float room) {
     std::string result;
     while (true) {
         const std::size_t end = std::min(text.find('\n'), text.size());

@@ -6,6 +6,7 @@
 
 #include "render/option_names.hpp"
 #include "viewer/ui/edit.hpp"
+#include "viewer/ui/mine.hpp"
 #include "viewer/ui/overlay/parts.hpp"
 
 namespace glassbox {
@@ -98,6 +99,8 @@ void draw_beside(const Frame& frame) {
     radio(Beside::overlay, "the overlay");
     const bool chosen = radio(Beside::other, "another scalar or rule");
     const bool chosen_difference = radio(Beside::difference, "their difference");
+    if (radio(Beside::mine, "my code")) show_last_mine(state);
+    if (radio(Beside::mine_difference, "my code's difference from ours")) show_last_mine(state);
     const bool with_other = state.beside == Beside::other || state.beside == Beside::difference;
     // To see something at once.
     if ((chosen || chosen_difference) && computed_alike(state.setup.now().options, state.other))
@@ -106,6 +109,11 @@ void draw_beside(const Frame& frame) {
     else faint(frame, "On the right of the split: drag its handle on the picture.");
     if (state.beside == Beside::overlay && state.overlay.measurement.empty())
         faint(frame, "Nothing is laid over yet: choose a measurement above.");
+    if (shows_mine(state)) {
+        draw_mine_panel(frame);
+        if (frame.results.mine && frame.results.mine->stand == learn::mine::Stand::drawn) tell_difference(frame);
+        if (state.beside == Beside::mine_difference) difference_legend(frame);
+    }
     if (!with_other) return;
     const Options& now = state.setup.now().options;
     ImGui::TextWrapped("this: %s", how_computed(now).c_str());
