@@ -14,12 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words of a mistake, and its name; none if the lesson has no such thing.
-std::pair<std::string, std::string> recognised(const Exercise& exercise, const TestRun& run) {
-    const std::string name = looks_like(run, read_traces(exercise.lesson / "mistakes.json"));
-    if (name.empty()) return {};
-    for (const Mistake& mistake : read_mistakes(exercise))
-        if (mistake.name == name) return {name, mistake.looks_like};
+/// The scene of the case that is shown, or else of the first that fails and has one.
+std::optional<FailingScene> scene_to_look_at(const Tested& tested) {
+    std::vector<const CaseResult*> failed{tested.judgement.shown};
+    for (const CaseResult& one : tested.run.cases) failed.push_back(&one);
+    for (const CaseResult* one : failed) {
+        if (!one || !one->failure || !one->failure->not_written().empty()) continue;
+        if (auto scene = failing_scene(one->name, *one->failure)) return scene;
+    }
     return {};
 }
 
@@ -67,13 +69,10 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop) {
     tested.run = run_tests(workspace_, exercise, tools(), request, stop);
     if (tested.run.stopped) return tested;
     tested.judgement = judged(exercise, tested.run);
-    if (!tested.run.error && !tested.run.passed())
-        std::tie(tested.mistake, tested.looks_like) = recognised(exercise, tested.run);
-    if (const CaseResult* shown = tested.judgement.shown; shown && shown->failure->not_written().empty()) {
-        if (const auto scene = failing_scene(shown->name, *shown->failure)) {
-            write_whole(failing_scene_file(), std::as_bytes(std::span(scene->toml)));
-            tested.pixel = scene->pixel;
-        }
+    if (!tested.run.error && !tested.run.passed()) tested.recognised = recognised(exercise, tested.run);
+    if (const auto scene = scene_to_look_at(tested)) {
+        write_whole(failing_scene_file(), std::as_bytes(std::span(scene->toml)));
+        tested.pixel = scene->pixel;
     }
     LessonProgress& progress = remembered(exercise);
     ++progress.runs;

@@ -206,12 +206,35 @@ std::string status_text(Learner& learner, const Paint& paint) {
     const auto open = std::find_if(states.begin(), states.end(), [](State state) { return state != State::passed; });
     if (open != states.end()) {
         const Function& function = present.functions[static_cast<std::size_t>(open - states.begin())];
-        text += fmt::format("  {}   {} in {}\n", *open == State::failing ? "mend" : "write", function.name,
+        text += fmt::format("  {:<7} {} in {}\n", *open == State::failing ? "mend" : "write", function.name,
                             place_of(workspace, present, function));
     }
     text +=
         fmt::format("  then    {}{}\n", command_line(workspace, fmt::format("test {}", present.number)),
                     progress.runs > 0 && !learner.is_tested(present) ? "   (it has changed since it was tested)" : "");
+    return text;
+}
+
+std::string first_wrong_text(const Workspace& workspace, const Exercise& exercise, const TestRun& run,
+                             const Judgement& judgement, const Paint& paint) {
+    if (run.error) return error_text(*run.error, paint);
+    std::string text;
+    if (!run.disturbed.empty()) text += fmt::format("{} {}\n", paint.bad("✗"), run.disturbed);
+    const CaseResult* one = judgement.shown;
+    if (!one) return text + (run.disturbed.empty() ? "No test has run: were they all taken away?\n" : "");
+
+    const Function* function = judgement.function;
+    if (function && one->failure->not_written() == function->name)
+        return text + fmt::format("{} Next to write: {} in {}\n", paint.faint("·"), paint.strong(function->name),
+                                  place_of(workspace, exercise, *function));
+    text += fmt::format(
+        "{} {}\n", paint.bad("✗"),
+        function ? fmt::format("{} in {}", paint.strong(function->name), place_of(workspace, exercise, *function))
+                 : "this is not as it should be");
+    text += failure_text(workspace, *one, paint);
+    const int others = judgement.failed - 1;
+    if (others > 0)
+        text += fmt::format("  {}\n", paint.faint(fmt::format("{} more fail, or wait for this one", others)));
     return text;
 }
 
@@ -221,31 +244,14 @@ std::string tested_text(Learner& learner, const Exercise& exercise, const Tested
     std::string text =
         fmt::format("{}  {}\n", paint.strong(fmt::format("Lesson {}, {}", exercise.number, exercise.title)),
                     paint.faint(fmt::format("({:.1f} s)", tested.took.count())));
-    if (run.error) return text + '\n' + error_text(*run.error, paint);
-    text += "  " + functions_line(exercise, tested.judgement.functions, paint) + "\n\n";
-    if (run.passed()) return text + passed_text(learner, exercise, tested, paint);
-    if (!run.disturbed.empty()) text += fmt::format("{} {}\n", paint.bad("✗"), run.disturbed);
-    const CaseResult* one = tested.judgement.shown;
-    if (!one) return text + (run.disturbed.empty() ? "No test has run: were they all taken away?\n" : "");
-
-    const Function* function = tested.judgement.function;
-    const std::string missing = one->failure->not_written();
-    if (function && missing == function->name) {
-        text += fmt::format("{} Next to write: {} in {}\n", paint.faint("·"), paint.strong(function->name),
-                            place_of(workspace, exercise, *function));
-    } else {
-        text += fmt::format(
-            "{} {}\n", paint.bad("✗"),
-            function ? fmt::format("{} in {}", paint.strong(function->name), place_of(workspace, exercise, *function))
-                     : "this is not as it should be");
-        text += failure_text(workspace, *one, paint);
-        const int others = tested.judgement.failed - 1;
-        if (others > 0)
-            text += fmt::format("  {}\n", paint.faint(fmt::format("{} more fail, or wait for this one", others)));
-    }
+    if (!run.error) text += "  " + functions_line(exercise, tested.judgement.functions, paint) + '\n';
     text += '\n';
-    if (!tested.looks_like.empty())
-        text += fmt::format("  {} {}\n", paint.strong("This looks familiar."), tested.looks_like);
+    if (run.passed()) return text + passed_text(learner, exercise, tested, paint);
+    text += first_wrong_text(workspace, exercise, run, tested.judgement, paint);
+    if (run.error || !tested.judgement.shown) return text;
+    text += '\n';
+    if (!tested.recognised.name.empty())
+        text += fmt::format("  {} {}\n", paint.strong("This looks familiar."), tested.recognised.looks_like);
     if (tested.pixel)
         text += fmt::format("  Look at this ray:  {} view {} --pixel {},{} --mine\n",
                             command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
