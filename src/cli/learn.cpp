@@ -10,7 +10,9 @@
 #include "cli/commands.hpp"
 #include "cli/tell.hpp"
 #include "learn/detective.hpp"
+#include "learn/grade.hpp"
 #include "learn/learner.hpp"
+#include "learn/page.hpp"
 #include "learn/picture.hpp"
 #include "learn/telling.hpp"
 #include "learn/watch.hpp"
@@ -29,8 +31,9 @@ using namespace learn;
 namespace fs = std::filesystem;
 
 struct LearnRequest {
-    std::string lesson, mistake, folder, picture;
-    bool record = false;
+    std::string lesson, mistake, folder, picture, report = "report.html";
+    std::vector<std::string> learners;
+    bool record = false, solution = false;
 };
 
 /// A subcommand of `learn` as it runs.
@@ -158,9 +161,14 @@ const Mistake& mistake_called(const std::vector<Mistake>& mistakes, const std::s
                             in_quotes(name), suggestion(name, names)));
 }
 
-/// The folder with a lesson's headers to make a picture of: the learner's, or the solution with a mistake.
+/// The folder with a lesson's headers to make a picture of: the learner's, the solution, or that with a mistake.
 fs::path headers_for_picture(Lesson& lesson, const Exercise& exercise) {
     const Workspace& workspace = lesson.learner.workspace();
+    if (lesson.request.solution) {
+        const fs::path none = workspace.hidden() / "solution" / exercise.name;  // nothing in it stands before ours
+        fs::create_directories(none);
+        return none;
+    }
     if (lesson.request.mistake.empty()) {
         make_starters(workspace, exercise);
         for (const std::string& header : exercise.headers) read_header(workspace, exercise, header);
@@ -234,6 +242,21 @@ void mistake(Lesson& lesson) {
                       chosen.name));
 }
 
+/// Tests all lessons in the folders of learners; writes a page, and prints the table.
+void report(const LearnRequest& request, const std::stop_token& stop) {
+    const bool as_csv = request.report.ends_with(".csv");
+    check_writable(request.report);
+    const Workspace teacher = open_workspace(fs::current_path(), request.folder);
+    std::vector<fs::path> folders(request.learners.begin(), request.learners.end());
+    if (folders.empty()) folders = {teacher.folder};
+    Grader grader(teacher, [](const std::string& text) { tell("glassbox learn: " + text); });
+    std::vector<LearnerStanding> learners;
+    for (const fs::path& folder : folders) learners.push_back(grader.grade(folder, stop));
+    const std::string text = as_csv ? to_csv(learners) : to_html(learners);
+    write_whole(request.report, std::as_bytes(std::span(text)), stop);
+    print(to_table(learners));
+}
+
 using Run = std::function<void(Lesson&)>;
 
 /// Gives `learn` a subcommand.
@@ -276,6 +299,8 @@ void add_learn(CLI::App& program, Session& session) {
         ->required();
     picture_command->add_option("--mistake", request->mistake, "with the solution and this mistake, instead of yours")
         ->type_name("NAME");
+    picture_command->add_flag("--solution", request->solution, "with the solution, instead of yours")
+        ->excludes("--mistake");
     add_lesson(
         add(*learn, session, request, "solution", "Show our headers; asks first if yours have not passed", solution),
         request);
@@ -290,6 +315,14 @@ void add_learn(CLI::App& program, Session& session) {
     mistake_command->add_option("NAME", request->mistake, "the mistake to make")->type_name(" ");
     mistake_command->add_flag("--record", request->record,
                               "write lessons/N-name/mistakes.json anew: for lessons' authors");
+
+    CLI::App* report_command =
+        learn->add_subcommand("report", "For teachers: test the folders of learners, and write a page about them");
+    report_command->add_option("FOLDER", request->learners, "learners' folders (default: yours)")->type_name(" ");
+    report_command->add_option("-o,--out", request->report, "the page, .html, or its numbers, .csv")
+        ->type_name("OUT.html")
+        ->capture_default_str();
+    report_command->callback([request, &session] { report(*request, session.interrupt.token()); });
 
     for (CLI::App* command : learn->get_subcommands([](const CLI::App*) { return true; }))
         command->add_option("--folder", request->folder, "your folder (default: my/ in the project)")->type_name("DIR");

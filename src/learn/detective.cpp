@@ -164,4 +164,12 @@ std::vector<Trace> traces_of_all(const Workspace& workspace, const Exercise& exe
     return all;
 }
 
+Recognised recognised(const Exercise& exercise, const TestRun& run) {
+    const std::string name = looks_like(run, read_traces(exercise.lesson / "mistakes.json"));
+    if (name.empty()) return {};
+    for (const Mistake& mistake : read_mistakes(exercise))
+        if (mistake.name == name) return {name, mistake.looks_like};
+    return {};
+}
+
 }  // namespace glassbox::learn

@@ -30,6 +30,15 @@ bool same_got(std::string_view a, std::string_view b);
 /// if it looks like none.
 std::string looks_like(const TestRun& run, const std::vector<Trace>& known);
 
+/// A classic mistake, recognised.
+struct Recognised {
+    std::string name;        ///< "" for none
+    std::string looks_like;  ///< what is to be said of it
+};
+
+/// What a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml.
+Recognised recognised(const Exercise& exercise, const TestRun& run);
+
 /// lessons/N-name/mistakes.json: an array, one trace a line, in the order given. Reading throws Error; a file that is
 /// not there has no traces.
 std::vector<Trace> read_traces(const std::filesystem::path& file);

@@ -79,8 +79,7 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
         lesson.wrong = first_wrong_text(learner, exercise, run, judgement, {});
         lesson.mistake = recognised(exercise, run).looks_like;
     }
-    const LessonPicture picture =
-        lesson_picture(learner, exercise, tools_, learner.headers_of(exercise), folder, stop);
+    const LessonPicture picture = lesson_picture(learner, exercise, tools_, learner.headers_of(exercise), folder, stop);
     lesson.mine = picture.image;
     lesson.no_picture = picture.error ? "the lesson’s program does not compile with these headers" : picture.died;
     lesson.ours = ours(exercise, stop);
@@ -91,7 +90,8 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
 LearnerStanding Grader::grade(const fs::path& folder, const std::stop_token& stop) {
     std::error_code none;
     if (!fs::is_directory(folder, none))
-        throw error_at({folder.string()}, "there is no such folder; a learner's folder has folders such as 1-rays in it");
+        throw error_at({folder.string()},
+                       "there is no such folder; a learner's folder has folders such as 1-rays in it");
     const Workspace learner = open_workspace(teacher_.root, fs::absolute(folder));
     std::string complaint;
     Progress progress = remembered(learner, scratch_, complaint);

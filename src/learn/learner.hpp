@@ -17,8 +17,7 @@ namespace glassbox::learn {
 struct Tested {
     TestRun run;
     Judgement judgement;                       ///< points into `run` and the exercise
-    std::string mistake;                       ///< the name of the classic mistake that it looks like; "" for none
-    std::string looks_like;                    ///< what is to be said of that
+    Recognised recognised;                     ///< the classic mistake that it looks like
     std::optional<std::pair<int, int>> pixel;  ///< of the failing scene, if one was written
     std::chrono::duration<double> took{};
 

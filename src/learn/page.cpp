@@ -84,10 +84,10 @@ std::string pictures(const LessonStanding& lesson) {
     if (lesson.mine) html += figure(*lesson.mine, "the learner’s");
     if (lesson.ours) html += figure(*lesson.ours, "ours");
     if (const auto count = pixels_differing(lesson)) {
-        const auto all = static_cast<double>(lesson.ours->pixels.size());
-        const std::string caption =
-            *count == 0 ? std::string("no pixel differs")
-                        : fmt::format("{} pixels differ, {:.1f} % (orange)", *count, 100 * *count / all);
+        const std::size_t all = lesson.ours->pixels.size();
+        const std::string caption = *count == 0 ? std::string("no pixel differs")
+                                                : fmt::format("{} of {} pixels differ, {:.1f} % (orange)", *count, all,
+                                                              100.0 * *count / static_cast<double>(all));
         html += figure(difference(*lesson.mine, *lesson.ours), caption);
     }
     return html + "</div>\n";

@@ -10,7 +10,7 @@ namespace glassbox::learn {
 
 /// How a learner stands with one function.
 struct FunctionStanding {
-    std::string name, header;
+    std::string name, header = {};
     State state = State::unknown;
     int hints = 0;  ///< how many were shown
 };
@@ -23,14 +23,15 @@ struct LessonStanding {
     int number = 0;
     std::string title;
     Verdict verdict = Verdict::not_begun;
-    std::vector<FunctionStanding> functions;
+    std::vector<FunctionStanding> functions = {};
     int cases = 0, cases_passed = 0;  ///< of the tests that ran, one for each scalar
     int runs = 0;                     ///< how often the learner had them tested
     bool gave_up = false;             ///< the solution was shown before they passed
-    std::string wrong;                ///< the first thing that is wrong, in lines; "" if nothing is
-    std::string mistake;              ///< what it looks like, if it is a classic mistake
-    std::optional<Image> mine, ours;  ///< the lesson's picture; `mine` is missing if there is none
-    std::string no_picture;           ///< why
+    std::string wrong = {};           ///< the first thing that is wrong, in lines; "" if nothing is
+    std::string mistake = {};         ///< what it looks like, if it is a classic mistake
+    std::optional<Image> mine = {};   ///< the lesson's picture with the learner's headers
+    std::optional<Image> ours = {};   ///< and with ours
+    std::string no_picture = {};      ///< why there is none
 };
 
 /// How a learner stands in all lessons.

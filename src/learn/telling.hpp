@@ -25,6 +25,10 @@ std::string command_line(const Workspace& workspace, std::string_view words);
 /// All lessons with a bar each, the present one's functions, and what to do next.
 std::string status_text(Learner& learner, const Paint& paint);
 
+/// Of all that is wrong the first thing, in lines: where it does not compile, or the failed test to look at.
+std::string first_wrong_text(const Workspace& workspace, const Exercise& exercise, const TestRun& run,
+                             const Judgement& judgement, const Paint& paint);
+
 /// What came of a test, and of what is wrong one thing only.
 std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint);
 
