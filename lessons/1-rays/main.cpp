@@ -14,8 +14,8 @@ Vec3<double> tile_color(const Ray<double>& ray, double t) {
 }
 
 int main(int argc, char** argv) {
-    constexpr int width = 500, height = 500;
-    const ViewingPlane<double> plane{{500, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    constexpr int width = 250, height = 250;
+    const ViewingPlane<double> plane{{500, 0, 0}, {0, 2, 0}, {0, 0, 2}};  // every second pixel of the paper's
     const Parallel<double> parallel{plane, {-1, 0, 0}};
     const Pinhole<double> pinhole{plane, {1000, 250, 250}};
 
