@@ -92,14 +92,14 @@ std::string missing_value(const CLI::App& command, const CLI::ParseError& error)
 }
 
 /// Of a command line that names no command, or another word where the command should stand.
-std::string command_missing(const CLI::App& program) {
+std::string command_missing(const CLI::App& program, const std::string& called) {
     const Names commands = command_names(program);
     const Names words = program.remaining();
     if (words.empty()) return fmt::format("a command is missing; it must be one of {}", listed(commands));
     const std::string& word = words.front();
     for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
         if (has(option_names(*command), word))
-            return fmt::format("{} must follow the command, as in 'glassbox {} {}'", word, command->get_name(), word);
+            return fmt::format("{} must follow the command, as in '{} {} {}'", word, called, command->get_name(), word);
     if (word[0] == '-') return stray_word(program);
     const std::string near = did_you_mean(word, commands);
     return fmt::format("'{}' is no command; {}", word, near.empty() ? "it must be one of " + listed(commands) : near);
@@ -116,10 +116,15 @@ std::string in_command(const CLI::App& command, const CLI::ParseError& error) {
 }  // namespace
 
 std::string refusal(const CLI::App& program, const CLI::ParseError& error) {
-    const std::vector<CLI::App*> chosen = program.get_subcommands();
-    const bool in_program = chosen.empty() || program.remaining_size() > 0;
-    const std::string name = in_program ? "glassbox" : "glassbox " + chosen.front()->get_name();
-    const std::string what = in_program ? command_missing(program) : in_command(*chosen.front(), error);
+    const CLI::App* command = &program;  // the innermost one that the line names
+    std::string name = "glassbox";
+    while (command->remaining_size() == 0 && !command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+        name += ' ' + command->get_name();
+    }
+    const bool lacks_command = command->get_subcommands().empty() && !command_names(*command).empty();
+    const bool in_program = command == &program || (lacks_command && command->remaining_size() > 0);
+    const std::string what = in_program ? command_missing(*command, name) : in_command(*command, error);
     const std::string see = what.ends_with('?') ? "" : fmt::format("; see '{} --help'", name);
     return fmt::format("{}: error: {}{}", name, what, see);
 }
