@@ -34,10 +34,18 @@ commands | while read -r line; do
     echo "${words[-1]}"
     "$program" "${words[@]:1}" </dev/null
 done
+# The code of someone who learns, for figures that show it: the solution of lesson 2, but for a normal that calls itself.
+learner=$(mktemp -d)
+trap 'rm -rf "$learner"' EXIT
+mkdir "$learner/2-spheres"
+cp src/core/2-spheres/*.hpp "$learner/2-spheres"
+sed -i.bak 's/return unit(point - sphere.c);/return point.z > 380 ? normal(sphere, point) : unit(point - sphere.c);/' \
+    "$learner/2-spheres/sphere.hpp"
+
 for script in docs/figures/*.script; do
     name=$(basename "$script" .script)
     echo "$folder/$name.png"
-    "$program" view --script "$script" --screenshot "$folder/$name.png" </dev/null
+    "$program" view --script "$script" --folder "$learner" --screenshot "$folder/$name.png" </dev/null
 done
 
 # Each picture that a page shows must be made by something above.

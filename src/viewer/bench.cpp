@@ -1,13 +1,20 @@
 #include "viewer/bench.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "scene/error.hpp"
+#include "scene/text_file.hpp"
 #include "viewer/hidden_viewer.hpp"
 
 namespace glassbox {
@@ -51,6 +58,20 @@ double idle_use() {
     return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC / watched.count();
 }
 
+/// A folder that is gone, with all that is in it, at the end of its life.
+struct PassingFolder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("glassbox-bench-" + std::to_string(::getpid()));
+
+    PassingFolder() { std::filesystem::create_directories(path); }
+    PassingFolder(const PassingFolder&) = delete;
+    PassingFolder& operator=(const PassingFolder&) = delete;
+    ~PassingFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+};
+
 }  // namespace
 
 Quickness quickness(ViewerState state, WindowSize size) {
@@ -77,6 +98,45 @@ Quickness quickness(ViewerState state, WindowSize size) {
     }
     viewer.settle();
     return {median(drawn), *std::max_element(drawn.begin(), drawn.end()), median(pinned), median(changed), idle_use()};
+}
+
+std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int edits) {
+    using learn::mine::Stand;
+    const learn::Exercise* const exercise = exercise_of(state.mine);
+    if (!exercise) throw Error("view --bench --mine: error: " + state.mine.problem);
+    const int lesson = exercise->number;
+    const PassingFolder folder;
+    const auto learners = std::make_shared<learn::Workspace>(*state.mine.workspace);
+    learners->folder = folder.path;
+    state.mine.workspace = learners;
+    std::filesystem::path header;
+    std::string text;
+    for (const std::string& name : exercise->headers) {
+        header = learners->header(*exercise, name);
+        text = read_text(learners->solution(*exercise, name));
+        std::filesystem::create_directories(header.parent_path());
+        std::ofstream(header) << text;
+    }
+    show_mine(state, lesson);
+    HiddenViewer viewer(std::move(state), size);
+    viewer.settle();
+
+    std::vector<double> seconds;
+    for (int i = 0; i < edits; ++i) {
+        const auto old = viewer.results().mine;
+        const auto start = Clock::now();
+        std::ofstream(header) << text << "// edit " << i << '\n';
+        const auto is_new = [&] { return viewer.results().mine != old && viewer.settled(); };
+        while (!is_new()) {
+            viewer.frame();
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        seconds.push_back(seconds_since(start));
+        const learn::mine::News& news = *viewer.results().mine;
+        if (news.stand != Stand::drawn || news.compile_seconds == 0)
+            throw Error("view --bench --mine: error: " + news.words);
+    }
+    return seconds;
 }
 
 }  // namespace glassbox

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "viewer/model/state.hpp"
 #include "viewer/platform/window.hpp"
 
@@ -14,5 +16,10 @@ struct Quickness {
 
 /// Measures it on the state's scene, in a window of this size that nobody sees. Takes some seconds.
 Quickness quickness(ViewerState state, WindowSize size);
+
+/// How long it takes, in seconds, from saving a learner's header to the frame that shows the new picture: once for each
+/// of so many edits. The learner has the solution of the lesson that the state shows, in a folder that is gone
+/// afterwards. Throws Error if the state shows no lesson, or its picture fails.
+std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int edits);
 
 }  // namespace glassbox

@@ -3,6 +3,7 @@
 #include <array>
 #include <fstream>
 #include <random>
+#include <utility>
 
 #include "../output/folder.hpp"
 #include "render/measurements.hpp"
@@ -83,7 +84,9 @@ TEST_CASE("Ten thousand random inputs: no crash, no leak, no complaint from Open
     const test::Folder folder;
     const std::filesystem::path scene = folder.path / "random.toml";
     std::ofstream(scene) << good_scene;
-    HiddenViewer viewer(opened(scene), {640, 400});
+    ViewerState state = opened(scene);
+    state.mine.folder = folder.path / "my";  // nobody's code
+    HiddenViewer viewer(std::move(state), {640, 400});
     Monkey monkey(viewer, scene);
     for (int i = 0; i < 10'000; ++i) monkey.act();
     viewer.resize({1024, 640});

@@ -1,0 +1,205 @@
+// The learner's picture in the viewer: what is asked for, what stays while a new one is made, and that nothing of it
+// can stop the rest. What each kind of end is called is tested in tests/learn/mine.cpp.
+#include "viewer/model/mine.hpp"
+
+#include <doctest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "learn/mine/maker.hpp"
+#include "output/folder.hpp"
+#include "scene/error.hpp"
+#include "viewer/model/background.hpp"
+#include "viewer/model/file_watch.hpp"
+#include "viewer/model/state.hpp"
+
+using namespace glassbox;
+using learn::mine::Stand;
+using test::Folder;
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr const char* two_spheres = R"(
+[image]
+width = 40
+height = 30
+[view]
+corner = [500, 0, 0]
+[[sphere]]
+center = [100, 20, 15]
+radius = 9
+color = [0, 255, 0]
+[[sphere]]
+center = [50, 8, 8]
+radius = 4
+color = [255, 0, 0]
+)";
+
+/// A viewer without an interface, and a learner's folder.
+struct Viewer {
+    Folder folder;
+    ViewerState state;
+    Results results;
+    Background background{[] {}};
+
+    Viewer() {
+        std::ofstream(folder / "scene.toml") << two_spheres;
+        state = opened(folder / "scene.toml");
+        state.mine.folder = folder / "my";
+    }
+
+    /// Until all is there that is asked for.
+    void settle() {
+        do {
+            std::this_thread::sleep_for(2ms);
+            background.update(state, results);
+        } while (results.busy);
+        background.update(state, results);
+    }
+
+    /// A header of lesson 2: the solution, with one text in place of another.
+    void save(const std::string& header, const std::string& instead_of = "", const std::string& put = "") {
+        std::string text = test::content(fs::path(ROOT "/src/core/2-spheres") / header);
+        const std::size_t at = text.find(instead_of);
+        REQUIRE(at != std::string::npos);
+        fs::create_directories(folder / "my/2-spheres");
+        std::ofstream(folder / "my/2-spheres" / header) << text.replace(at, instead_of.size(), put);
+        ++state.mine.saved;  // as the interface's watch does
+    }
+    bool same_as_ours() const { return results.other.image->pixels == results.picture.image->pixels; }
+};
+
+}  // namespace
+
+TEST_CASE("it is looked at in double, at the lesson's stage, and undo takes that back") {
+    Viewer viewer;
+    const Setup before = viewer.state.setup.now();
+    show_mine(viewer.state, 2);
+    CHECK(viewer.state.mine.problem == "");
+    CHECK(viewer.state.beside == Beside::mine);
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::double_);
+    CHECK(viewer.state.setup.now().options.stage == 2);
+    const std::vector<fs::path> files = files_of(viewer.state.mine);
+    REQUIRE(files.size() == 2);
+    CHECK(files[0] == viewer.folder / "my/2-spheres/crossing.hpp");
+    viewer.state.setup.undo();
+    CHECK(viewer.state.setup.now() == before);
+
+    viewer.state.beside = Beside::mine_difference;
+    show_mine(viewer.state, 5);  // the difference stays, of another lesson
+    CHECK(viewer.state.beside == Beside::mine_difference);
+    CHECK(viewer.state.mine.lesson == 5);
+
+    std::ofstream(viewer.folder / "other.toml") << "[image]\nwidth = 9\nheight = 7\n";
+    open(viewer.state, viewer.folder / "other.toml");
+    CHECK(viewer.state.beside == Beside::mine_difference);
+    CHECK(viewer.state.mine.lesson == 5);
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::double_);
+
+    show_mine(viewer.state, 77);
+    CHECK(viewer.state.mine.problem.find("there is no lesson '77'") == 0);
+    toggle_mine(viewer.state);
+    CHECK(viewer.state.beside == Beside::nothing);
+    toggle_mine(viewer.state);  // the last one that there was
+    CHECK(viewer.state.mine.lesson == 5);
+    CHECK(viewer.state.mine.problem == "");
+}
+
+TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is well again") {
+    Viewer viewer;
+    const auto& [picture, other, mine] = std::tie(viewer.results.picture, viewer.results.other, viewer.results.mine);
+    show_mine(viewer.state, 2);
+    viewer.settle();
+    REQUIRE(mine);
+    CHECK(mine->stand == Stand::not_there);
+    CHECK(mine->words.find("'./glassbox learn test 2'") != std::string::npos);
+    CHECK(other.image == nullptr);
+
+    viewer.save("crossing.hpp");
+    viewer.save("sphere.hpp");
+    viewer.settle();
+    CHECK(mine->stand == Stand::drawn);
+    REQUIRE(other.image);
+    CHECK(other.factor == 1);
+    CHECK(viewer.same_as_ours());
+
+    // A slip: the last picture stays, and the place of the mistake is known.
+    viewer.save("sphere.hpp", "return unit(point - sphere.c);", "return unit(point - sphere.c)");
+    viewer.settle();
+    CHECK(mine->stand == Stand::does_not_compile);
+    REQUIRE(mine->error);
+    CHECK(mine->error->yours);
+    CHECK(mine->drawing == nullptr);
+    CHECK(viewer.same_as_ours());
+
+    // A crash at one pixel: it is told, the rest of the viewer works. Column 20, row 13 is pixel (20, 16): 30 rows.
+    viewer.save("sphere.hpp", "probe(told::Tested{});",
+                "probe(told::Tested{}); if (ray.P.y == 20 && ray.P.z == 13) *static_cast<volatile int*>(nullptr) = 1;");
+    viewer.state.pinned = Pixel{20, 16};
+    viewer.settle();
+    CHECK(mine->stand == Stand::failed);
+    CHECK(mine->words == "at pixel (20, 16) it followed a null pointer (address 0x0)");
+    CHECK(mine->spot == learn::mine::Spot{20, 16});
+    REQUIRE(mine->drawing);
+    CHECK(other.image.get() == &mine->drawing->image);
+    CHECK(other.factor == 2);  // not all of it is there
+    REQUIRE(viewer.results.story);
+    CHECK(viewer.results.error == "");
+
+    // Another stage and a turn need no compiler, and crash no less.
+    Setup setup = turned(viewer.state.setup.now(), Axis::z, 10);
+    setup.options.stage = 4;
+    viewer.state.setup.change(setup);
+    viewer.settle();
+    CHECK(mine->compile_seconds == 0);
+    CHECK(mine->stand == Stand::failed);  // at stage 4 the view is not turned yet
+    CHECK(viewer.results.picture.image->width == 40);
+
+    viewer.save("sphere.hpp");
+    viewer.settle();
+    CHECK(mine->stand == Stand::drawn);
+    CHECK(viewer.same_as_ours());
+
+    // Not shown, it is not computed, and what stands beside is not taken for something else.
+    viewer.state.beside = Beside::other;
+    viewer.background.update(viewer.state, viewer.results);
+    CHECK(mine == nullptr);
+    CHECK(other.image == nullptr);
+    viewer.settle();
+    REQUIRE(other.image);
+    toggle_mine(viewer.state);
+    viewer.background.update(viewer.state, viewer.results);
+    CHECK(other.image == nullptr);
+    viewer.settle();
+    CHECK(mine->stand == Stand::drawn);
+    CHECK(mine->compile_seconds == 0);
+}
+
+TEST_CASE("a file that is written, taken away or put back has changed") {
+    const Folder folder;
+    std::ofstream(folder / "a") << "a";
+    const std::vector<fs::path> files{folder / "a", folder / "b"};
+    FileWatch any(files, FileWatch::Gone::is_a_change, [] {});
+    FileWatch written(files, FileWatch::Gone::is_no_change, [] {});
+    const auto changed = [](FileWatch& watch, std::chrono::milliseconds within) {
+        for (const auto end = std::chrono::steady_clock::now() + within; std::chrono::steady_clock::now() < end;) {
+            if (watch.has_changed()) return true;
+            std::this_thread::sleep_for(10ms);
+        }
+        return false;
+    };
+    CHECK(!changed(any, 400ms));
+    std::ofstream(folder / "b") << "new";
+    CHECK(changed(any, 10s));
+    CHECK(changed(written, 10s));
+    fs::remove(folder / "a");
+    CHECK(changed(any, 10s));
+    CHECK(!changed(written, 400ms));
+    std::ofstream(folder / "a") << "back";
+    CHECK(changed(any, 10s));
+    CHECK(changed(written, 10s));
+}
