@@ -57,7 +57,7 @@ const std::optional<Image>& Grader::ours(const Exercise& exercise, const std::st
     const auto [place, is_new] = ours_.try_emplace(exercise.number);
     if (is_new) {
         const fs::path folder = made(scratch_ / "ours" / exercise.name);
-        place->second = lesson_picture(teacher_, exercise, tools_, {}, folder, stop).image;
+        place->second = lesson_picture(teacher_, exercise, tools_, teacher_.root / exercise.core, folder, stop).image;
     }
     return place->second;
 }
