@@ -102,13 +102,12 @@ Quickness quickness(ViewerState state, WindowSize size) {
 
 std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int edits) {
     using learn::mine::Stand;
-    const learn::Exercise* const exercise = exercise_of(state.mine);
-    if (!exercise) throw Error("view --bench --mine: error: " + state.mine.problem);
-    const int lesson = exercise->number;
+    if (!exercise_of(state.mine)) throw Error("view --bench --mine: error: " + state.mine.problem);
     const PassingFolder folder;
     const auto learners = std::make_shared<learn::Workspace>(*state.mine.workspace);
     learners->folder = folder.path;
     state.mine.workspace = learners;
+    const learn::Exercise* const exercise = exercise_of(state.mine);
     std::filesystem::path header;
     std::string text;
     for (const std::string& name : exercise->headers) {
@@ -117,7 +116,7 @@ std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int ed
         std::filesystem::create_directories(header.parent_path());
         std::ofstream(header) << text;
     }
-    show_mine(state, lesson);
+    show_mine(state, exercise->number);
     HiddenViewer viewer(std::move(state), size);
     viewer.settle();
 

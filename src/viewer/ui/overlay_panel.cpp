@@ -15,11 +15,19 @@ void heading(const Frame& frame, const char* text) {
 }  // namespace
 
 void draw_overlay(const Frame& frame) {
+    // A learner's code is what one looks at now, so it comes first.
+    const bool mine = shows_mine(frame.state);
+    if (mine) {
+        heading(frame, "Beside the picture");
+        draw_beside(frame);
+        heading(frame, "Laid over the picture");
+    }
     draw_measurement_list(frame);
     if (!frame.state.overlay.measurement.empty()) {
         heading(frame, "What the colours mean");
         draw_legend(frame);
     }
+    if (mine) return;
     heading(frame, "Beside the picture");
     draw_beside(frame);
 }
