@@ -77,6 +77,7 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
     const auto add_block = [&](std::span<const std::uint32_t> surfaces) {
         Block& block = blocks_.emplace_back();
         block.count = static_cast<std::uint32_t>(surfaces.size());
+        Box box;
         for (std::uint32_t at = 0; at < fan_out; ++at) {
             const std::uint32_t surface = surfaces[std::min<std::size_t>(at, surfaces.size() - 1)];
             const std::size_t number = surface - spheres_.size();
@@ -84,8 +85,12 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
             put(block.A, at, triangles[number].A);
             put(block.B, at, triangles[number].B);
             put(block.C, at, triangles[number].C);
-            if (at < block.count) place_[number] = static_cast<std::uint32_t>(blocks_.size() - 1) * fan_out + at;
+            if (at >= block.count) continue;
+            place_[number] = static_cast<std::uint32_t>(blocks_.size() - 1) * fan_out + at;
+            box.add(box_of(triangles[number], middle_));
         }
+        std::ranges::copy(box.lo, block.lo);
+        std::ranges::copy(box.hi, block.hi);
     };
     blocks_.reserve(hierarchy_.triangle_leaves.size() + loose_.size() / fan_out + 1);
     for (const auto& [first, count] : hierarchy_.triangle_leaves)

@@ -17,6 +17,7 @@ struct alignas(64) Block {
     double A[3][fan_out], B[3][fan_out], C[3][fan_out];
     std::uint32_t surface[fan_out];
     std::uint32_t count;
+    float lo[3], hi[3];  ///< around all of them, relative to the engine's middle
 
     Triangle<double> triangle(std::uint32_t at) const {
         return {{A[0][at], A[1][at], A[2][at]}, {B[0][at], B[1][at], B[2][at]}, {C[0][at], C[1][at], C[2][at]}};

@@ -52,7 +52,17 @@ std::optional<Grid> grid(const Pinhole<double>& view, int width, int height, con
 inline constexpr std::uint32_t no_surface = 0xFFFFFFFF;  ///< none is met, for sure
 inline constexpr std::uint32_t not_told = 0xFFFFFFFE;    ///< bounds do not tell: trace this ray by itself
 
-/// What a tile's rays meet first, row by row upwards. Where it is a surface, its key is between the two.
+/// A tile's rays are kept quarter by quarter, so that small triangles are met by few vectors of them.
+inline constexpr int quarter_side = 4;
+inline constexpr int quarter_size = quarter_side * quarter_side;
+
+/// Where the ray is kept that is `x` columns and `y` rows from the tile's first.
+constexpr int place_in_tile(int x, int y) {
+    const int quarter = y / quarter_side * 2 + x / quarter_side;
+    return quarter * quarter_size + y % quarter_side * quarter_side + x % quarter_side;
+}
+
+/// What a tile's rays meet first. Where it is a surface, its key is between the two.
 struct alignas(64) Tile {
     std::uint32_t surface[tile_size];
     float key_low[tile_size], key_high[tile_size];

@@ -28,7 +28,7 @@ void trace_tiles(const engine::Engine& engine, const View& view, int width, int 
                 const int y1 = std::min(y0 + side, part.rows().end()), x1 = std::min(x0 + side, part.cols().end());
                 for (int y = y0; y < y1; ++y)
                     for (int x = x0; x < x1; ++x) {
-                        const int at = (height - 1 - y - bottom) * side + (x - x0);
+                        const int at = engine::place_in_tile(x - x0, height - 1 - y - bottom);
                         each(x, y, tile.surface[at], grid ? engine::t_of_key(*grid, tile.key_low[at]) : 0);
                     }
             }

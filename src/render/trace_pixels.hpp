@@ -22,15 +22,17 @@ void trace_pixels(const Scene& scene, const Options& options, const Job& job, co
         };
         if constexpr (OnlyNearest<Probe> && OnlyVerdicts<Probe> && requires { tracer.search.engine(); }) {
             if (options.stage > 1) {
-                trace_tiles(
-                    tracer.search.engine(), seen, scene.width, scene.height, job,
-                    [&](int x, int y, std::uint32_t surface, double t) {
-                        if (surface == engine::not_told) return one_by_one(x, y);
-                        const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
-                        Probe probe;
-                        const bool is_hit = surface != engine::no_surface;
-                        keep(x, y, ray, is_hit ? tracer.color_of(ray, {surface, t}, probe) : tracer.background, probe);
-                    });
+                trace_tiles(tracer.search.engine(), seen, scene.width, scene.height, job,
+                            [&](int x, int y, std::uint32_t surface, double t) {
+                                if (surface == engine::not_told) return one_by_one(x, y);
+                                const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
+                                Probe probe;
+                                if (surface == engine::no_surface) return keep(x, y, ray, tracer.background, probe);
+                                // A sphere's normal is that of the very point; a triangle's is the same everywhere.
+                                const bool is_sphere = surface < tracer.search.engine().spheres().size();
+                                const double its_t = is_sphere ? tracer.search.t_of(ray, surface) : t;
+                                keep(x, y, ray, tracer.color_of(ray, {surface, its_t}, probe), probe);
+                            });
                 return;
             }
         }
