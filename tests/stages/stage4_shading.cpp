@@ -267,29 +267,36 @@ struct Kept {
     void operator()(told::SpecularTerm, double value) { specular = value; }
 };
 
+/// What shading tells with the light from `slanted`, seen from `mirrored`, n = up, and I = 0.5.
+Kept told_by(ShadingModel model) {
+    const Light<double> light = directional_light(Vec3<double>{3, 0, 4}, 0.5);
+    Shading<double> shading = full<double>(model, 2);
+    shading.k_a = 0.75, shading.k_d = 0.5, shading.k_s = 0.25;
+    Kept kept;
+    shade(up<double>, mirrored<double>, color<double>, light, shading, kept);
+    return kept;
+}
+
 }  // namespace
 
-TEST_CASE("shading tells its probe what it computes, so that it can be measured") {
-    // Light from `slanted`, seen from `mirrored`, n = up: n.l = n.r = 0.8, h = up, the mirrored light is r. With I =
-    // 0.5 the diffuse factor is 0.5 * 0.5 * 0.8 = 0.2, the specular one 0.5 * 0.25 * 1.
-    const Light<double> light = directional_light(Vec3<double>{3, 0, 4}, 0.5);
-    Shading<double> shading = full<double>(ShadingModel::blinn_phong, 2);
-    shading.k_a = 0.75, shading.k_d = 0.5, shading.k_s = 0.25;
-    Kept blinn, phong;
-    shade(up<double>, mirrored<double>, color<double>, light, shading, blinn);
-    shading.model = ShadingModel::phong;
-    shade(up<double>, mirrored<double>, color<double>, light, shading, phong);
-    for (const Kept& kept : {blinn, phong}) {
-        CHECK_ULPS(kept.n_l, 0.8, 4);
-        CHECK_ULPS(kept.n_r, 0.8, 4);
-        CHECK_EXACT(kept.ambient, 0.75);
-        CHECK_ULPS(kept.diffuse, 0.2, 4);
-        CHECK_ULPS(kept.specular, 0.125, 16);
-    }
+TEST_CASE("shading tells its probe the cosines and what they are of, so that they can be measured") {
+    // n.l = n.r = 0.8, h = up, and the mirrored light is r
+    const Kept blinn = told_by(ShadingModel::blinn_phong), phong = told_by(ShadingModel::phong);
+    CHECK_ULPS(blinn.n_l, 0.8, 4);
+    CHECK_ULPS(blinn.n_r, 0.8, 4);
     CHECK_ULPS(blinn.h, up<double>, 2);
     CHECK_ULPS(blinn.n_h, 1.0, 2);
     CHECK_ULPS(phong.reflection, mirrored<double>, 4);
     CHECK_ULPS(phong.r_m, 1.0, 4);
+}
+
+TEST_CASE("shading tells its probe the factor of each term") {
+    // diffuse 0.5 * 0.5 * 0.8 = 0.2, specular 0.5 * 0.25 * 1
+    for (const Kept& kept : {told_by(ShadingModel::blinn_phong), told_by(ShadingModel::phong)}) {
+        CHECK_EXACT(kept.ambient, 0.75);
+        CHECK_ULPS(kept.diffuse, 0.2, 4);
+        CHECK_ULPS(kept.specular, 0.125, 16);
+    }
 }
 
 TEST_CASE_TEMPLATE("a number becomes a byte: cut to 0 … 255, and NaN to 0", Real, EVERY_SCALAR) {
