@@ -59,11 +59,17 @@ private:
     std::mt19937_64 engine{2014};
 };
 
+/// |a|, for bounds and weights in tests: without the learner's own `length`.
+template <class Real>
+Real size_of(const Vec3<Real>& a) {
+    return std::hypot(a.x, a.y, a.z);
+}
+
 /// How far two vectors are apart, component by component, in units in the last place of the larger one's length.
 template <class Real>
 double ulps(const Vec3<Real>& got, const Vec3<Real>& expected) {
     if (got == expected) return 0;
-    const Real size = std::hypot(expected.x, expected.y, expected.z);  // not length(): that is what may be under test
+    const Real size = size_of(expected);
     const Real ulp = std::nextafter(size, std::numeric_limits<Real>::infinity()) - size;
     const Vec3<Real> off{got.x - expected.x, got.y - expected.y, got.z - expected.z};  // nor the operators
     return static_cast<double>(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) / ulp);

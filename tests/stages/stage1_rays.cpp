@@ -68,8 +68,8 @@ TEST_CASE_TEMPLATE("a x b stands at right angles to a and to b", Real, EVERY_SCA
         CAPTURE(size);
         for (int n = 0; n < 200; ++n) {
             const Vec3<Real> a = dice.vector(size), b = dice.vector(Real(1));
-            CHECK_WITHIN(dot(a, cross(a, b)), Real(0), 18 * epsilon<Real> * length(a) * length(a) * length(b));
-            CHECK_WITHIN(dot(b, cross(a, b)), Real(0), 18 * epsilon<Real> * length(a) * length(b) * length(b));
+            CHECK_WITHIN(dot(a, cross(a, b)), Real(0), 18 * epsilon<Real> * size_of(a) * size_of(a) * size_of(b));
+            CHECK_WITHIN(dot(b, cross(a, b)), Real(0), 18 * epsilon<Real> * size_of(a) * size_of(b) * size_of(b));
         }
     }
 }

@@ -204,10 +204,13 @@ template <class Real, class Rule>
 void the_discriminant_is_told(const Rule& rule) {
     // 3 beside the middle of radius 5: r^2 - 3^2 = 16, times D.D = 4; and 6 beside it: 25 - 36 = -11, times 4
     SphereProbe<Real> hit, miss;
-    rule(Ray<Real>{{-10, 3, 0}, {2, 0, 0}}, five<Real>, hit);
+    const Ray<Real> inner{{-10, 3, 0}, {2, 0, 0}}, outer{{-10, 6, 0}, {2, 0, 0}};
+    CAPTURE_RAY(inner, five<Real>);
+    rule(inner, five<Real>, hit);
     CHECK(hit.discriminants == 1);
     CHECK_EXACT(hit.discriminant, Real(64));
-    rule(Ray<Real>{{-10, 6, 0}, {2, 0, 0}}, five<Real>, miss);
+    CAPTURE_RAY(outer, five<Real>);
+    rule(outer, five<Real>, miss);
     CHECK(miss.discriminants == 1);
     CHECK_EXACT(miss.discriminant, Real(-44));
 }

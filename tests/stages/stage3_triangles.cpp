@@ -65,6 +65,14 @@ Vec3<Real> towards_weights(Real a, Real b, Real c) {
     return a * A + b * B + c * C - (a + b + c) * start<Real>;
 }
 
+/// The side products of the ray to that point.
+template <class Real>
+Sides<Real> sides_towards(Real a, Real b, Real c) {
+    const Ray<Real> ray{start<Real>, towards_weights(a, b, c)};
+    CAPTURE_RAY(ray, slanting<Real>);
+    return sides(ray.D, seen_from(ray.P, slanting<Real>));
+}
+
 /// The right-angled triangle of side 4 in the plane z = 0.
 template <class Real>
 const Triangle<Real> flat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
@@ -147,36 +155,34 @@ TEST_CASE_TEMPLATE("seen from P, a triangle is where P is the origin", Real, EVE
 TEST_CASE_TEMPLATE("each side is the weight of the vertex opposite: at a vertex its own alone is not 0", Real,
                    EVERY_SCALAR) {
     // All numbers are whole and below 2^24, so the zeros are exact.
-    const Triangle<Real> seen = seen_from(start<Real>, slanting<Real>);
-    const Sides<Real> at_A = sides(towards_weights<Real>(1, 0, 0), seen);
+    const Sides<Real> at_A = sides_towards<Real>(1, 0, 0);
     CHECK(at_A.a != 0);
     CHECK_EXACT(at_A.b, Real(0));
     CHECK_EXACT(at_A.c, Real(0));
-    const Sides<Real> at_B = sides(towards_weights<Real>(0, 1, 0), seen);
+    const Sides<Real> at_B = sides_towards<Real>(0, 1, 0);
     CHECK_EXACT(at_B.a, Real(0));
     CHECK(at_B.b != 0);
     CHECK_EXACT(at_B.c, Real(0));
-    const Sides<Real> at_C = sides(towards_weights<Real>(0, 0, 1), seen);
+    const Sides<Real> at_C = sides_towards<Real>(0, 0, 1);
     CHECK_EXACT(at_C.a, Real(0));
     CHECK_EXACT(at_C.b, Real(0));
     CHECK(at_C.c != 0);
 }
 
 TEST_CASE_TEMPLATE("on an edge the opposite weight is 0, and the others divide it", Real, EVERY_SCALAR) {
-    const Triangle<Real> seen = seen_from(start<Real>, slanting<Real>);
-    const Sides<Real> on_BC = sides(towards_weights<Real>(0, 1, 3), seen);  // three quarters of the way from B to C
+    const Sides<Real> on_BC = sides_towards<Real>(0, 1, 3);  // three quarters of the way from B to C
     CHECK_EXACT(on_BC.a, Real(0));
     CHECK_EXACT(on_BC.c, 3 * on_BC.b);
-    const Sides<Real> on_CA = sides(towards_weights<Real>(2, 0, 1), seen);
+    const Sides<Real> on_CA = sides_towards<Real>(2, 0, 1);
     CHECK_EXACT(on_CA.b, Real(0));
     CHECK_EXACT(on_CA.a, 2 * on_CA.c);
-    const Sides<Real> on_AB = sides(towards_weights<Real>(1, 1, 0), seen);
+    const Sides<Real> on_AB = sides_towards<Real>(1, 1, 0);
     CHECK_EXACT(on_AB.c, Real(0));
     CHECK_EXACT(on_AB.a, on_AB.b);
 }
 
 TEST_CASE_TEMPLATE("inside, the sides stand to each other as the weights of the point hit", Real, EVERY_SCALAR) {
-    const Sides<Real> s = sides(towards_weights<Real>(1, 2, 3), seen_from(start<Real>, slanting<Real>));
+    const Sides<Real> s = sides_towards<Real>(1, 2, 3);
     CHECK_EXACT(s.b, 2 * s.a);
     CHECK_EXACT(s.c, 3 * s.a);
 }
@@ -204,8 +210,8 @@ TEST_CASE_TEMPLATE("plane_t: each weight pulls towards its own vertex", Real, EV
 TEST_CASE_TEMPLATE("plane_t: of the point with weights 1, 2, 3, by the sides of its own ray", Real, EVERY_SCALAR) {
     // D is 6 times the way to the point: t = 1/6, after one division and a few sums
     const Vec3<Real> D = towards_weights<Real>(1, 2, 3);
-    const Triangle<Real> seen = seen_from(start<Real>, slanting<Real>);
-    CHECK_ULPS(plane_t(D, seen, sides(D, seen)), Real(1) / 6, 4);
+    const Sides<Real> weights = sides_towards<Real>(1, 2, 3);
+    CHECK_ULPS(plane_t(D, seen_from(start<Real>, slanting<Real>), weights), Real(1) / 6, 4);
 }
 
 TEST_CASE_TEMPLATE("the three rules agree about the point with weights 1, 2, 3", Real, EVERY_SCALAR) {
@@ -221,6 +227,7 @@ TEST_CASE_TEMPLATE("the three rules agree about the point with weights 1, 2, 3",
 TEST_CASE_TEMPLATE("Pluecker: the probe is told the corners and the sides", Real, EVERY_SCALAR) {
     TriangleProbe<Real> probe;
     const Ray<Real> ray{start<Real>, towards_weights<Real>(1, 2, 3)};
+    CAPTURE_RAY(ray, slanting<Real>);
     intersect(ray, slanting<Real>, Pluecker{}, probe);
     CHECK(probe.tested == 1);
     CHECK(probe.corners == 1);
@@ -497,6 +504,7 @@ TEST_CASE_TEMPLATE("the tolerance takes a clear miss of a small triangle for a h
     //   a = -(C.x B.y - C.y B.x) = -(4 - 1) = -3,  b = -(A.x C.y - A.y C.x) = -(2 - 4) = 2,  c = -(2 - 4) = 2
     const Triangle<Real> small{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const Ray<Real> ray{{2, 2, 1}, {0, 0, -1}};
+    CAPTURE_RAY(ray, small);
     const Sides<Real> s = sides(ray.D, seen_from(ray.P, small));
     CHECK_EXACT(s.a, Real(-3));
     CHECK_EXACT(s.b, Real(2));
