@@ -115,7 +115,8 @@ void bench_scene(const std::string& name, const Scene& scene, int runs, const st
     if (papers) print(works[4].name, speeds[4]);
     print(works[0].name, speeds[0], papers ? times(speeds[0], speeds[4], "the paper's program") : "");
     print(works[1].name, speeds[1], times(speeds[1], speeds[0], "one thread"));
-    print(works[2].name, speeds[2], "takes " + times(speeds[0], speeds[2], "as long as double"));
+    print(works[2].name, speeds[2],
+          papers ? times(speeds[2], speeds[4], "the paper's program") : times(speeds[2], speeds[0], "double"));
     print(works[3].name, speeds[3], "takes " + times(speeds[2], speeds[3], "as long as the picture, certified"));
     bench_probes(scene, runs);
 }

@@ -1,0 +1,143 @@
+// Tiles of rays against rays traced one by one: what is told is true, and nearly all is told.
+#include <doctest.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "../certified/cases.hpp"
+#include "engine/kernels.hpp"
+#include "render/certified_search.hpp"
+#include "render/ready.hpp"
+#include "render/tiles.hpp"
+
+using namespace glassbox;
+using test::Point;
+using test::Rays;
+using test::Shapes;
+
+namespace {
+
+struct Counts {
+    int pixels = 0, told = 0, hits = 0;
+};
+
+/// Checks every pixel of a scene's picture.
+Counts check(const std::string& name, const Scene& scene) {
+    CAPTURE(name);
+    const View seen = view(scene, {});
+    const CertifiedSearch<Stable, Pluecker> truth(surfaces<double>(scene, 5), {}, {},
+                                                  reach(seen, scene.width, scene.height), false);
+    Counts counts;
+    int wrong = 0, far_off = 0;
+    trace_tiles(*ready(scene, 5, 1), seen, scene.width, scene.height, {1, {}, nullptr},
+                [&](int x, int y, std::uint32_t surface, double t) {
+                    ++counts.pixels;
+                    if (surface == engine::not_told) return;
+                    ++counts.told;
+                    const Silent silent;
+                    const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
+                    const auto hit = truth.trace(ray, silent);
+                    if (surface != (hit ? static_cast<std::uint32_t>(hit->surface) : engine::no_surface)) ++wrong;
+                    else if (hit) {
+                        ++counts.hits;
+                        far_off += !(std::abs(t - hit->t) * length(ray.D) <=
+                                     1e-4 * length(ray.P + hit->t * ray.D) + 1e-4 * hit->t * length(ray.D));
+                    }
+                });
+    CHECK(wrong == 0);
+    CHECK(far_off == 0);
+    return counts;
+}
+
+Scene looked_at(Scene scene, const Point& eye, const Point& at, int size) {
+    scene.view = PinholeView{eye, at};
+    scene.width = scene.height = size;
+    return scene;
+}
+
+/// Straight down along `direction`, `width` units wide in all.
+Scene from_above(Scene scene, const Point& middle, const Point& direction, double width, int size) {
+    const Point right = unit(cross(direction, Point{0.1, 0.3, 1})), up = unit(cross(right, direction));
+    const double pixel = width / size;
+    scene.view =
+        ParallelView{middle - width * direction - 0.5 * width * (right + up), pixel * right, pixel * up, direction};
+    scene.width = scene.height = size;
+    return scene;
+}
+
+constexpr int size = 40 / test::share * 2 + 3;  // not a whole number of tiles
+
+}  // namespace
+
+TEST_CASE("meshes at all scales and distances from the origin") {
+    Rays rays(1);
+    for (const auto& shape : {Shapes::cube(), Shapes::globe(3), Shapes::torus(16, 10), Shapes::fan(24)})
+        for (const double away : {0.0, 30.0, 1e4})
+            for (const int magnitude : {-10, 0, 10}) {
+                const double scale = std::pow(10, magnitude);
+                const Shapes::Shape there = test::placed(shape, scale, away, false);
+                const Point middle = scale * away * test::odd_direction;
+                const std::string name = there.name + " of size 1e" + std::to_string(magnitude);
+                const Scene scene = test::scene_of(there);
+                const Point eye = middle + 3 * scale * unit(rays.anywhere());
+                const Counts pinhole = check(name, looked_at(scene, eye, middle, size));
+                const Counts parallel = check(name, from_above(scene, middle, unit(rays.anywhere()), 3 * scale, size));
+                // A pinhole's plane lies at distance 1: that far from the origin doubles hardly tell its pixels apart.
+                if ((3 + away) * scale > 1e9) continue;
+                for (const Counts& counts : {pinhole, parallel}) {
+                    CHECK(counts.hits > counts.pixels / 100);
+                    CHECK(counts.told > counts.pixels * 9 / 10);
+                }
+            }
+}
+
+TEST_CASE("along the axes: faces seen edge-on, rays in the faces of boxes") {
+    const Scene scene = test::scene_of(Shapes::cube());
+    for (const Point& direction : {Point{1, 0, 0}, {0, -1, 0}, {0, 0, 1}})
+        check("cube", from_above(scene, {0, 0, 0}, direction, 3, size));
+    Scene flat = scene;  // pixels on edges and vertices exactly
+    flat.view = ParallelView{{-2, -2, 5}, {0.25, 0, 0}, {0, 0.25, 0}, {0, 0, -1}};
+    flat.width = flat.height = 17;
+    const Counts counts = check("cube, whole numbers", flat);
+    CHECK(counts.told < counts.pixels);  // an edge's rays cannot be told in floats
+}
+
+TEST_CASE("from inside, and close by") {
+    const Scene scene = test::scene_of(Shapes::globe(3));
+    check("inside a globe", looked_at(scene, {0.1, 0.2, 0.3}, {5, 1, 1}, size));
+    check("close to a globe", looked_at(scene, {0, 0, 1.001}, {0.5, 0.5, 0.9}, size));
+    check("on a globe", looked_at(scene, {1, 0, 0}, {-1, 0.1, 0}, size));
+}
+
+TEST_CASE("spheres and triangles that cross, touch and hide each other") {
+    Rays rays(2);
+    for (int i = 0; i < 40 / test::share; ++i) {
+        Scene scene;
+        for (int k = 0; k < 20; ++k) {
+            scene.spheres.push_back({2.0 * rays.anywhere(), 0.1 + 0.5 * rays.random.fraction(), {}});
+            const Point at = 2.0 * rays.anywhere();
+            scene.triangles.push_back({{at + rays.anywhere(), at + rays.anywhere(), at + rays.anywhere()}, {}});
+            if (k % 5 == 0) scene.triangles.push_back(scene.triangles.back());                // twice the same
+            if (k % 7 == 0) scene.triangles.push_back({{at, at, at + rays.anywhere()}, {}});  // no area
+            if (k % 6 == 0) scene.spheres.push_back(scene.spheres.back());
+        }
+        check("a heap", looked_at(scene, 6.0 * unit(rays.anywhere()), {0, 0, 0}, size));
+        check("a heap from inside", looked_at(scene, 0.1 * rays.anywhere(), {1, 1, 0}, size));
+        check("a heap in parallel", from_above(scene, {0, 0, 0}, rays.anywhere(), 4, size));
+        check("from amidst in parallel", from_above(scene, {0, 0, 0}, 0.1 * rays.anywhere(), 4, size));
+    }
+}
+
+TEST_CASE("views that are hardly views") {
+    const Scene scene = test::scene_of(Shapes::globe(2));
+    Scene odd = from_above(scene, {0, 0, 0}, {0, 0, -1}, 3, size);
+    auto& v = std::get<ParallelView>(odd.view);
+    v.up = v.right + 1e-9 * v.up;  // nearly one line
+    check("skewed", odd);
+    v.direction = {0x1p-80, 0, 0};
+    check("slow", odd);
+    v = ParallelView{{1e30, 0, 0}, {0, 1e28, 0}, {0, 0, 1e28}, {-1, 0, 0}};
+    check("vast", odd);
+    v = ParallelView{{2, 0, 0}, {0, 1e-30, 0}, {0, 0, 1e-30}, {-1, 0, 0}};
+    check("narrow", odd);
+}
