@@ -8,8 +8,8 @@
 namespace glassbox {
 
 namespace told {
-struct NodeVisited {};  ///< a node of the hierarchy: its children's boxes are tested
-struct BoxesMissed {};  ///< (count): so many of them the ray misses, or they lie behind what it has met
+struct NodesVisited {};  ///< (count): nodes of the hierarchy whose eight boxes were tested
+struct BoxesMissed {};   ///< (count): so many of these the ray misses, or they lie behind what it has met
 }  // namespace told
 
 /// A scene's surfaces in the engine. Bounds are found for a ray and a surface when they are asked for: a ray gets near
@@ -68,7 +68,7 @@ public:
         engine::WalkCounts counts;
         engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, &walk, counts);
         if constexpr (!OnlyVerdicts<Probe>) {
-            for (std::uint64_t i = 0; i < counts.nodes; ++i) probe(told::NodeVisited{});
+            probe(told::NodesVisited{}, counts.nodes);
             probe(told::BoxesMissed{}, counts.boxes_missed);
         }
         return walk.best;

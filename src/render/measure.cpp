@@ -45,19 +45,26 @@ Needs needs_of(std::span<const Measurement* const> wanted) {
         needs.truth |= measurement->needs.truth;
         needs.triangles |= measurement->needs.triangles;
         needs.drift |= measurement->needs.drift;
+        needs.all_hits |= measurement->needs.all_hits;
+        needs.boxes |= measurement->needs.boxes;
     }
     return needs;
 }
 
 /// Measures with the probe that is just enough.
 template <class Probe>
-std::vector<std::vector<Plane>> measured_by(const Scene& scene, const Options& options,
-                                            std::span<const Measurement* const> wanted, const Job& job) {
+std::vector<std::vector<Plane>> measured_by(const Scene& scene, Options options,
+                                            std::span<const Measurement* const> wanted, Job job) {
     const Needs needs = needs_of(wanted);
+    if (needs.boxes && options.engine == Engine::automatic) options.engine = Engine::fast;
+    // The engine's way to the nearest surface passes over what lies behind it.
+    const bool count_hits = needs.all_hits && uses_engine(scene, options, false);
+    if (!job.engine && (needs.truth || uses_engine(scene, options, false)))
+        job.engine = ready(scene, options.stage, job.threads);
     const View rebuilt = rebuilt_view(scene, turns_of(options));
     const View accumulated = accumulated_view(scene, turns_of(options));
     std::optional<Judge> judge;
-    if (needs.truth) judge.emplace(scene, options.stage, reach(view(scene, options), scene.width, scene.height));
+    if (needs.truth || count_hits) judge.emplace(job.engine);
 
     std::vector<std::vector<Plane>> result;
     for (const Measurement* measurement : wanted)
@@ -67,7 +74,8 @@ std::vector<std::vector<Plane>> measured_by(const Scene& scene, const Options& o
         PixelNumbers& numbers = numbers_of(probe);
         if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
-        if (judge) with_number(options.scalar, [&]<class Real>(Real) { judge->judge<Real>(ray, numbers); });
+        if (count_hits) numbers.hits = judge->hits(ray);
+        if (needs.truth) with_number(options.scalar, [&]<class Real>(Real) { judge->judge<Real>(ray, numbers); });
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
         for (std::size_t m = 0; m < wanted.size(); ++m) {

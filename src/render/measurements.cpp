@@ -11,9 +11,10 @@ namespace {
 using P = PixelNumbers;
 using T = TriangleNumbers;
 
-constexpr std::string_view scalar_names[] = {"tests",     "hits",    "depth",    "n.l",   "n.h",       "n.v",
-                                             "ambient",   "diffuse", "specular", "side",  "margin",    "discriminant",
-                                             "undecided", "verdict", "deficit",  "drift", "bits-lost", "identity"};
+constexpr std::string_view scalar_names[] = {"tests",  "hits",         "depth",     "n.l",      "n.h",
+                                             "n.v",    "ambient",      "diffuse",   "specular", "side",
+                                             "margin", "discriminant", "undecided", "verdict",  "deficit",
+                                             "drift",  "bits-lost",    "identity",  "nodes",    "boxes-missed"};
 constexpr std::string_view normal_names[] = {"normal.x", "normal.y", "normal.z"};
 
 /// A measurement of one component names its only plane as itself. `name` must be among scalar_names.
@@ -57,6 +58,16 @@ constexpr Measurement with_drift(Measurement measurement) {
     return measurement;
 }
 
+constexpr Measurement with_all_hits(Measurement measurement) {
+    measurement.needs.all_hits = true;
+    return measurement;
+}
+
+constexpr Measurement with_boxes(Measurement measurement) {
+    measurement.needs.boxes = true;
+    return measurement;
+}
+
 constexpr Measurement with_contour(double value, Measurement measurement) {
     measurement.contour = value;
     return measurement;
@@ -66,7 +77,7 @@ constexpr Scale sequential = Scale::sequential, diverging = Scale::diverging;
 
 constexpr Measurement all[] = {
     number("tests", "", "how many surfaces were tested against the pixel's ray", sequential, read<&P::tests>),
-    number("hits", "", "how many surfaces the ray meets ahead of its start", sequential, read<&P::hits>),
+    with_all_hits(number("hits", "", "how many surfaces the ray meets ahead of its start", sequential, read<&P::hits>)),
     number("depth", "|D|", "t of the nearest surface, in lengths of the ray's direction", sequential, read<&P::t>),
     Measurement{"normal",
                 "",
@@ -109,6 +120,10 @@ constexpr Measurement all[] = {
                           sequential, read<&T::identity>)),
     with_drift(number("drift", "length", "how far the ray's start drifts when turns are added up step by step",
                       sequential, read<&P::drift>)),
+    with_boxes(
+        number("nodes", "", "how many nodes of the hierarchy of boxes the ray visited", sequential, read<&P::nodes>)),
+    with_boxes(number("boxes-missed", "", "how many boxes of these nodes it missed, or had no need to open", sequential,
+                      read<&P::boxes_missed>)),
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ struct Needs {
     bool truth = false;      ///< what a certified search finds, to compare with
     bool triangles = false;  ///< what the side products of every triangle tested say about themselves
     bool drift = false;      ///< the view turned in another way, to compare with
+    bool all_hits = false;   ///< what lies behind what is seen, too
+    bool boxes = false;      ///< the engine's hierarchy
 };
 
 /// One thing that `glassbox measure` can measure.

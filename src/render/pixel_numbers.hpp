@@ -8,6 +8,7 @@
 #include <shading.hpp>
 
 #include "render/certified_search.hpp"
+#include "render/fast_search.hpp"
 #include "render/plane.hpp"
 #include "render/tracer.hpp"
 #include "render/triangle_numbers.hpp"
@@ -33,6 +34,8 @@ struct PixelNumbers {
     double verdict = no_value;           ///< 0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface
     double bits_lost = no_value;         ///< of t, where the surface is right
     double drift = no_value;             ///< of the ray's start
+    double nodes = no_value;             ///< of the hierarchy, visited
+    double boxes_missed = no_value;      ///< in them
     std::optional<std::size_t> surface;  ///< the nearest
     long double found_t = no_value;      ///< its t, as every scalar can say it
 
@@ -96,6 +99,9 @@ struct PixelNumbers {
     }
 
     void operator()(told::Undecided, std::size_t) { ++exact_tests; }
+
+    void operator()(told::NodesVisited, std::uint64_t count) { nodes = static_cast<double>(count); }
+    void operator()(told::BoxesMissed, std::uint64_t count) { boxes_missed = static_cast<double>(count); }
 };
 
 /// The same probe with its `triangles` filled in.

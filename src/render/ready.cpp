@@ -7,7 +7,7 @@ namespace glassbox {
 namespace {
 
 /// Up to this many surfaces the plain loop takes at most some microseconds a ray.
-constexpr std::size_t small = 1000;
+constexpr std::size_t small = 2000;
 
 }  // namespace
 

@@ -11,8 +11,8 @@ namespace {
 /// The stage that first computes a measurement.
 int first_stage(std::string_view measurement) {
     constexpr std::pair<std::string_view, int> stages[] = {
-        {"depth", 2}, {"normal", 2}, {"discriminant", 2}, {"side", 3},    {"n.l", 4},
-        {"n.h", 4},   {"n.v", 4},    {"ambient", 4},      {"diffuse", 4}, {"specular", 4},
+        {"depth", 2}, {"normal", 2},  {"discriminant", 2}, {"side", 3},     {"n.l", 4},   {"n.h", 4},
+        {"n.v", 4},   {"ambient", 4}, {"diffuse", 4},      {"specular", 4}, {"nodes", 2}, {"boxes-missed", 2},
     };
     for (const auto& [name, stage] : stages)
         if (name == measurement) return stage;
@@ -28,6 +28,7 @@ std::string why_no_value(const Measurement& what, ShadingModel model, const Opti
         return "moeller-trumbore has no side products";
     if (what.name == "side") return "no triangle was tested";
     if (what.name == "discriminant") return "no sphere was tested";
+    if (what.needs.boxes) return "boxes are the fast engine's, and that answers certified";
     return "no ray meets a surface";
 }
 
