@@ -270,6 +270,39 @@ TEST_CASE("numbers that are none are counted, and their pixels known") {
     CHECK(news.drawing->states[350 + 500 * 98] == SheetPixel::drawn);
 }
 
+TEST_CASE("lesson 6: what bounds prove is true; what they leave open is counted") {
+    Learner learner;
+    const Exercise& rounding = learner.exercise(6);
+    learner.solve(rounding);
+    const Scene scene = resized(read_scene(ROOT "/scenes/mesh-far.toml"), 120, 90);
+    Options certified;
+    const Image truth = render(scene, certified);
+    News news = learner.draw(rounding, scene, certified);
+    CHECK(news.stand == Stand::drawn);
+    REQUIRE(news.drawing);
+    CHECK(news.drawing->drawn == 120 * 90);
+    const auto wrong = [&] {
+        int pixels = 0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+            pixels += news.drawing->states[i] == SheetPixel::drawn && news.drawing->image.pixels[i] != truth.pixels[i];
+        return pixels;
+    };
+    CHECK(wrong() == 0);
+    CHECK(news.drawing->undecided > 0);
+    CHECK(news.drawing->undecided < news.drawing->drawn);
+    // The nearest of the six fills the first quarter of the picture's width in its upper half: nothing is open there.
+    for (int y = 0; y < 20; ++y)
+        CHECK(news.drawing->states[static_cast<std::size_t>(120 * y + 20)] == SheetPixel::drawn);
+    CHECK(news.spot == news.drawing->first_undecided);
+    CHECK(news.words.find("undecided: the bounds leave open what is seen there; the first is (") != std::string::npos);
+
+    // A bound that is far too small "proves" what is not so.
+    learner.mistake(rounding, "filter.hpp", "return 9 * u * size;", "return 1e-9 * u * size;");
+    news = learner.draw(rounding, scene, certified);
+    CHECK(news.stand == Stand::drawn);
+    CHECK(wrong() > 0);
+}
+
 TEST_CASE("a drawing can be stopped") {
     Learner learner;
     const Exercise& spheres = learner.exercise(2);

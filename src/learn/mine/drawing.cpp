@@ -80,20 +80,28 @@ void write(const Scene& scene, const Options& options, Sheet& sheet) {
 /// What is there now. The renderer may be writing meanwhile: then some pixels are one picture later than others. It may
 /// write anything at all, so nothing but the pixels is read, at places that we know ourselves.
 Drawing read(const SheetPixel* pixels, const Scene& scene) {
-    Drawing drawing{Image(scene.width, scene.height), {}, 0, 0, {}};
+    Drawing drawing{Image(scene.width, scene.height), {}, 0, 0, {}, 0, {}};
     const auto all = drawing.image.pixels.size();
     drawing.states.resize(all, SheetPixel::not_drawn);
     for (std::size_t i = 0; i < all; ++i) {
         const SheetPixel pixel = pixels[i];
-        if (pixel.state != SheetPixel::drawn && pixel.state != SheetPixel::not_a_number) continue;
+        const auto width = static_cast<std::size_t>(scene.width);
+        const Spot spot{static_cast<int>(i % width), static_cast<int>(i / width)};
+        switch (pixel.state) {
+            case SheetPixel::drawn:
+                break;
+            case SheetPixel::not_a_number:
+                if (drawing.not_numbers++ == 0) drawing.first_not_a_number = spot;
+                break;
+            case SheetPixel::undecided:
+                if (drawing.undecided++ == 0) drawing.first_undecided = spot;
+                break;
+            default:
+                continue;
+        }
         drawing.image.pixels[i] = {pixel.red, pixel.green, pixel.blue};
         drawing.states[i] = pixel.state;
         ++drawing.drawn;
-        if (pixel.state == SheetPixel::drawn) continue;
-        ++drawing.not_numbers;
-        const auto width = static_cast<std::size_t>(scene.width);
-        if (!drawing.first_not_a_number)
-            drawing.first_not_a_number = Spot{static_cast<int>(i % width), static_cast<int>(i / width)};
     }
     if (drawing.drawn == 0) return drawing;
     if (static_cast<std::size_t>(drawing.drawn) < all)

@@ -30,6 +30,8 @@ struct Drawing {
     std::int64_t drawn = 0;
     std::int64_t not_numbers = 0;            ///< of those drawn: made of something that is not a number
     std::optional<Spot> first_not_a_number;  ///< from the top left
+    std::int64_t undecided = 0;              ///< of those drawn: bounds left open what is seen there
+    std::optional<Spot> first_undecided;     ///< from the top left
 };
 
 /// How the drawing came to its end.

@@ -106,6 +106,7 @@ struct Built {
 Built build(const Workspace& workspace, const Exercise& exercise, const Compiler& compiler, const Workshop& shop,
             const fs::path& program, const std::stop_token& stop) {
     std::vector<std::string> all = flags;
+    if (is_about_bounds(exercise)) all.push_back("-DGLASSBOX_BOUNDED");
     for (const std::string& flag : beginning_with(compiler, shop.folder / shop.precompiled)) all.push_back(flag);
     const fs::path object = shop.folder / fmt::format("new-{}.o", ::getpid()),
                    made = shop.folder / fmt::format("new-{}", ::getpid());
@@ -141,8 +142,11 @@ std::string hint(std::string_view words) {
 
 std::string count(std::int64_t pixels) { return pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", pixels); }
 
-/// What there is to say of numbers that are none.
-std::string about_not_numbers(const Drawing& drawing) {
+/// What there is to say of pixels that are drawn, but not as they should be.
+std::string about_pixels(const Drawing& drawing) {
+    if (drawing.undecided > 0 && drawing.not_numbers == 0)
+        return fmt::format("{} undecided: the bounds leave open what is seen there; the first is ({}, {})",
+                           count(drawing.undecided), drawing.first_undecided->x, drawing.first_undecided->y);
     if (drawing.not_numbers == 0) return "";
     return fmt::format("{} made of something that is not a number (NaN), the first at ({}, {})",
                        count(drawing.not_numbers), drawing.first_not_a_number->x, drawing.first_not_a_number->y);
@@ -161,9 +165,11 @@ News news_of(const Drawn& drawn) {
     }
     news.stand = news.words.empty() ? Stand::drawn : Stand::failed;
     news.spot = drawn.spot;
-    const std::string more = about_not_numbers(*drawn.drawing);
+    const std::string more = about_pixels(*drawn.drawing);
     if (more.empty()) return news;
-    if (news.stand == Stand::drawn) news.spot = drawn.drawing->first_not_a_number;
+    const Drawing& drawing = *drawn.drawing;
+    if (news.stand == Stand::drawn)
+        news.spot = drawing.not_numbers > 0 ? drawing.first_not_a_number : drawing.first_undecided;
     news.words += (news.words.empty() ? "" : "; ") + more;
     return news;
 }
@@ -235,6 +241,8 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     news.compile_seconds = compile_seconds;
     tell(std::move(news));
 }
+
+bool is_about_bounds(const Exercise& exercise) { return exercise.core == "src/numerics"; }
 
 const Exercise& present_exercise(const Workspace& workspace) {
     std::string complaint;

@@ -47,6 +47,10 @@ private:
     std::optional<Compiler> compiler_;
 };
 
+/// Whether a lesson is about bounds on rounding. Its picture is what the bounds can prove alone, and not plain double,
+/// which they would not change.
+bool is_about_bounds(const Exercise& exercise);
+
 /// The lesson where the learner is: the first of those begun that is not passed, or else the first of all that is not;
 /// the last one, if all are passed.
 const Exercise& present_exercise(const Workspace& workspace);

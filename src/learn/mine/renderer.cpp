@@ -10,6 +10,9 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
+#ifdef GLASSBOX_BOUNDED  // lesson 6, whose headers are of no use to plain double
+#include "learn/mine/bounded_search.hpp"
+#endif
 #include "render/search.hpp"
 #include "render/tracer.hpp"
 #include "render/view.cpp"  // compiled anew, too: a learner's turn.hpp and viewing_plane.hpp count there
@@ -73,21 +76,43 @@ Options options_of(Sheet& sheet) {
     return options;
 }
 
-/// The probe that notices numbers that are none.
-struct NotANumber {
-    bool heard = false;
+/// The probe that notices numbers that are none, and what is left open.
+struct Noticing {
+    bool not_a_number = false, undecided = false;
 
     template <class What, class... Values>
     void operator()(What, const Values&... values) {
         (hear(values), ...);
     }
 
+#ifdef GLASSBOX_BOUNDED
+    void operator()(LeftOpen) { undecided = true; }
+#endif
+
     template <class Value>
     void hear(const Value& value) {
-        if constexpr (std::is_floating_point_v<Value>) heard = heard || value != value;
+        if constexpr (std::is_floating_point_v<Value>) not_a_number = not_a_number || value != value;
         else if constexpr (requires { value.x + value.y + value.z; }) hear(value.x), hear(value.y), hear(value.z);
     }
+
+    SheetPixel::State state() const {
+        return not_a_number ? SheetPixel::not_a_number : undecided ? SheetPixel::undecided : SheetPixel::drawn;
+    }
 };
+
+#ifdef GLASSBOX_BOUNDED
+template <class SphereRoots, class TriangleTest>
+BoundedSearch<SphereRoots, TriangleTest> search(const Sheet& sheet, Surfaces<double> surfaces, const View& seen,
+                                                const SphereRoots& roots, const TriangleTest& test) {
+    return {std::move(surfaces), roots, test, reach(seen, sheet.width, sheet.height)};
+}
+#else
+template <class SphereRoots, class TriangleTest>
+PlainSearch<double, SphereRoots, TriangleTest> search(const Sheet&, Surfaces<double> surfaces, const View&,
+                                                      const SphereRoots& roots, const TriangleTest& test) {
+    return {std::move(surfaces), roots, test};
+}
+#endif
 
 template <class SphereRoots, class TriangleTest>
 void draw(Sheet& sheet, const SphereRoots& roots, const TriangleTest& test) {
@@ -98,24 +123,22 @@ void draw(Sheet& sheet, const SphereRoots& roots, const TriangleTest& test) {
     const View seen = view(scene, options);
     at(Stage::light);
     const Light<double> light = directional_light(scene.light_position, scene.light_intensity);
-    const Tracer<PlainSearch<double, SphereRoots, TriangleTest>> tracer{
-        {surfaces<double>(scene, options.stage), roots, test},
-        surface_colors(scene),
-        scene.background,
-        light,
-        scene.shading,
-        options.stage};
+    const Tracer tracer{search(sheet, surfaces<double>(scene, options.stage), seen, roots, test),
+                        surface_colors(scene),
+                        scene.background,
+                        light,
+                        scene.shading,
+                        options.stage};
     at(Stage::pixels);
     SheetPixel* const pixels = lists_of(sheet).pixels;
     coarse_first(sheet.width, sheet.height, [&](int x, int y) {
         sheet.x.store(x, std::memory_order_relaxed);
         sheet.y.store(y, std::memory_order_relaxed);
-        NotANumber probe;
+        Noticing probe;
         const Ray<double> ray = pixel_ray(seen, x, y, sheet.height);
         const Rgb made = tracer.color(ray, x, sheet.height - 1 - y, probe);
         probe.hear(ray.P), probe.hear(ray.D);
-        pixels[index_of(sheet, x, y)] = {made.red, made.green, made.blue,
-                                         probe.heard ? SheetPixel::not_a_number : SheetPixel::drawn};
+        pixels[index_of(sheet, x, y)] = {made.red, made.green, made.blue, probe.state()};
         sheet.pixels_done.fetch_add(1, std::memory_order_release);
     });
     at(Stage::done);

@@ -27,6 +27,7 @@ struct SheetPixel {
         not_drawn,  ///< the renderer did not get there
         drawn,
         not_a_number,  ///< drawn, but one of the numbers that made it is none
+        undecided,     ///< drawn, but bounds left open what is seen there
     } state;
 };
 

@@ -64,8 +64,12 @@ std::vector<std::filesystem::path> files_of(const MineChoice& mine) {
     return files;
 }
 
+Scalar scalar_of(const learn::Exercise& exercise) {
+    return learn::mine::is_about_bounds(exercise) ? Scalar::certified : Scalar::double_;
+}
+
 Setup for_lesson(Setup setup, const learn::Exercise& exercise) {
-    setup.options.scalar = Scalar::double_;
+    setup.options.scalar = scalar_of(exercise);
     setup.options.stage = exercise.stage;
     return setup;
 }

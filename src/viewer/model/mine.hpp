@@ -45,7 +45,11 @@ const learn::Exercise* exercise_of(const MineChoice& mine);
 /// The learner's headers of that lesson, whether they are there or not.
 std::vector<std::filesystem::path> files_of(const MineChoice& mine);
 
-/// A setup as a lesson is looked at: in double, at its stage.
+/// What ours is computed in beside a lesson's picture: double, as that; or for the lesson on bounds the truth, which
+/// they may never contradict.
+Scalar scalar_of(const learn::Exercise& exercise);
+
+/// A setup as a lesson is looked at: in that scalar, at its stage.
 Setup for_lesson(Setup setup, const learn::Exercise& exercise);
 
 }  // namespace glassbox

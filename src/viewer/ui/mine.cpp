@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/option_names.hpp"
 #include "viewer/ui/buttons.hpp"
 #include "viewer/ui/overlay/parts.hpp"
 #include "viewer/ui/wrapped.hpp"
@@ -132,9 +133,12 @@ void draw_mine_panel(const Frame& frame) {
         pin(state, *news->spot);
     if (mine_is_old(frame)) faint(frame, "The picture is the last one that there was.");
     if (drawn && news->drawing->not_numbers > 0) swatch({255, 0, 255}, "not a number (NaN)");
-    if (state.setup.now().options.scalar != Scalar::double_)
+    if (drawn && news->drawing->undecided > 0) swatch({255, 160, 0}, "undecided; counted below where it is not ours");
+    const learn::Exercise* const exercise = exercise_of(state.mine);
+    if (exercise && state.setup.now().options.scalar != scalar_of(*exercise))
         draw_wrapped(frame.palette.warning,
-                     "⚠ Ours is not computed in double now, mine always is: they may differ by rounding alone.");
+                     fmt::format("⚠ Ours is not computed in {} now: it may differ from mine by rounding alone.",
+                                 name_of(scalar_of(*exercise))));
     if (news->said.empty()) return;
     faint(frame, "It printed:");
     ImGui::PushFont(frame.fonts.mono);

@@ -153,7 +153,10 @@ void draw_pin(const Canvas& canvas, Pixel pixel, ImU32 color, const char* name) 
     canvas.list.AddRect({from.x - 2, from.y - 2}, {to.x + 2, to.y + 2}, IM_COL32(0, 0, 0, 255), 0, 0, 3);
     canvas.list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, 2);
     const ImVec2 size = ImGui::CalcTextSize(name);
-    const ImVec2 label{to.x + 5, from.y - size.y};
+    const bool room_above =
+        from.y - size.y > canvas.corner.y + 1.5f * ImGui::GetFontSize();  // below the split's labels
+    const ImVec2 label{to.x + 5,
+                       room_above ? from.y - size.y : std::max(to.y, canvas.corner.y + 1.5f * ImGui::GetFontSize())};
     canvas.list.AddRectFilled({label.x - 2, label.y}, {label.x + size.x + 2, label.y + size.y},
                               canvas.frame.palette.canvas);
     canvas.list.AddText(label, color, name);

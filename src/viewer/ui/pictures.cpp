@@ -20,12 +20,14 @@ std::vector<Rgba> opaque(const Image& image) {
 
 void fill(Texture& texture, const Image& image) { texture.fill(image.width, image.height, opaque(image)); }
 
-/// A learner's picture, with what is not a number in a colour that nothing has, and nothing where nothing is drawn.
+/// A learner's picture, with what is not a number, or not decided, in colours of their own, and nothing where nothing
+/// is drawn.
 void fill(Texture& texture, const learn::mine::Drawing& drawing) {
     std::vector<Rgba> pixels = opaque(drawing.image);
     if (drawing.drawn == 0) std::fill(pixels.begin(), pixels.end(), Rgba{0, 0, 0, 0});
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (drawing.states[i] == learn::mine::SheetPixel::not_a_number) pixels[i] = {255, 0, 255, 255};
+        else if (drawing.states[i] == learn::mine::SheetPixel::undecided) pixels[i] = {255, 160, 0, 255};
     texture.fill(drawing.image.width, drawing.image.height, pixels);
 }
 
