@@ -157,7 +157,11 @@ std::string suggested(const CompileError& error) {
             else if (word.size() > 1 && word != name) names.insert(std::exchange(word, ""));
             else word.clear();
         }
-        const std::vector<std::string_view> known(names.begin(), names.end());
+        // Who mistypes a name mostly begins it rightly.
+        std::vector<std::string_view> known;
+        for (const std::string& one : names)
+            if (one[0] == name[0]) known.push_back(one);
+        if (known.empty()) known.assign(names.begin(), names.end());
         const std::string words = known.empty() || name.size() < 2 ? "" : suggestion(name, known);
         return words.starts_with("did you mean") ? "Nothing is called " + name + " here; " + words : "";
     }

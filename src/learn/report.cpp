@@ -42,7 +42,7 @@ Failure failure_from(const Json& json) {
 /// How the program ended before its time, in words, and the same for the detective.
 std::pair<std::string, std::string> death(const Outcome& outcome) {
     std::string words = in_words(outcome);
-    if (words.empty()) words = "it ended the program itself, by _exit, say, before its work was done";
+    if (words.empty()) words = "it ended the program (by _exit, perhaps) before its work was done";
     const int signal = outcome.end == End::signal ? outcome.status : 0;
     return {words, fmt::format("died {} {}", static_cast<int>(outcome.end), signal)};
 }
@@ -83,12 +83,12 @@ Report read_report(const std::string& text, const std::string& nonce, const Outc
             failure->death = for_the_detective;
         } else if (outcome.end == End::stopped) {
             report.disturbed = words;
-        } else {
+        } else if (!foreign) {
             report.disturbed = fmt::format("between the tests the program came to its end: {}", words);
         }
-    } else if (foreign) {
-        report.disturbed = "something else than the tests wrote into their report, so that it cannot be trusted";
     }
+    if (foreign)
+        report.disturbed = "something else than the tests wrote into their report, so that it cannot be trusted";
     return report;
 }
 

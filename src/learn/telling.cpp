@@ -96,7 +96,9 @@ std::string failure_text(const Workspace& workspace, const CaseResult& one, cons
     text += row("checked", failure.expression, paint);
     text += row("expected", failure.expected, paint);
     if (failure.threw.empty() && failure.died.empty()) text += row("got", paint.strong(failure.got), paint);
-    if (!failure.threw.empty()) text += row("threw", failure.threw, paint);
+    const bool too_much = failure.threw == "std::bad_alloc" || failure.threw == "std::bad_array_new_length";
+    if (!failure.threw.empty())
+        text += row("threw", failure.threw + (too_much ? ": it asked for more memory than it may have" : ""), paint);
     if (!failure.died.empty()) text += row("died", failure.died, paint);
     text += row("off by", ulps_text(failure.ulps), paint);
     std::vector<std::string> with = failure.subcases;

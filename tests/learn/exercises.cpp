@@ -1,0 +1,163 @@
+// What every lesson's exercise must hold, for the lesson that is named on the command line: the starter compiles and
+// fails with the names of its own functions; the solution passes; each classic mistake is caught, and the detective
+// names it and no other.
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <sstream>
+
+#include "learn/detective.hpp"
+#include "learn/judgement.hpp"
+#include "learn/learner.hpp"
+#include "output/folder.hpp"
+#include "scene/text_file.hpp"
+
+using namespace glassbox;
+using namespace glassbox::learn;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lesson;
+
+/// One folder for the tests of all lessons: what all of them are made with is made once.
+Workspace workspace() { return open_workspace(ROOT, FOLDER); }
+
+Toolchain tools(const Workspace& all) {
+    return toolchain(all, [](const std::string&) {});
+}
+
+/// The folder for a program of this test's own.
+fs::path work_folder(const Workspace& all, const std::string& name) {
+    fs::path folder = all.hidden() / "exercises" / lesson / name;
+    fs::create_directories(folder);
+    return folder;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string without_indent(const std::string& line) {
+    return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+}
+
+/// What is wrong with a run, for whoever reads the failure of this test.
+std::string first_trouble(const TestRun& run) {
+    if (run.error) return run.error->place.file + ": " + run.error->message;
+    if (!run.disturbed.empty()) return run.disturbed;
+    for (const CaseResult& one : run.cases)
+        if (one.failure) return one.name + ": " + one.failure->expression + one.failure->threw + one.failure->died;
+    return "";
+}
+
+TEST_CASE("the starter is the solution, but for what is to be written") {
+    const Workspace all = workspace();
+    const Exercise& exercise = exercise_called(all, lesson);
+    std::set<std::string> asked_for;
+    for (const std::string& header : exercise.headers) {
+        CAPTURE(header);
+        const std::vector<std::string> solution = lines_of(read_text(all.solution(exercise, header)));
+        auto at = solution.begin();
+        for (const std::string& line : lines_of(read_text(exercise.starter(header)))) {
+            const std::string code = without_indent(line);
+            if (code == "#include <not_written.hpp>" || code.starts_with("// Your turn")) continue;
+            if (const std::size_t call = code.find("not_written<"); call != std::string::npos) {
+                const std::size_t open = code.find("(\"", call), close = code.find("\")", call);
+                REQUIRE(close != std::string::npos);
+                asked_for.insert(code.substr(open + 2, close - open - 2));
+                continue;
+            }
+            const auto found = std::find(at, solution.end(), line);
+            CHECK_MESSAGE(found != solution.end(), "not in the solution, or not in this order: ", line);
+            if (found != solution.end()) at = found + 1;
+        }
+    }
+    std::set<std::string> functions;
+    for (const Function& function : exercise.functions) {
+        functions.insert(function.name);
+        CHECK(read_text(exercise.starter(function.header)).find('"' + function.name + '"') != std::string::npos);
+    }
+    CHECK(asked_for == functions);
+}
+
+TEST_CASE("the starter compiles, and fails with the names of its own functions") {
+    const Workspace all = workspace();
+    const Exercise& exercise = exercise_called(all, lesson);
+    fs::remove_all(all.headers_of(exercise));
+    REQUIRE(make_starters(all, exercise));
+    const TestRun run = run_tests(all, exercise, tools(all), {all.headers_of(exercise), work_folder(all, "starter")});
+    REQUIRE_MESSAGE(!run.error, first_trouble(run));
+    CHECK(run.disturbed == "");
+    std::set<std::string> functions, missing;
+    for (const Function& function : exercise.functions) functions.insert(function.name);
+    for (const CaseResult& one : run.cases) {
+        if (!one.failure) continue;
+        CHECK_MESSAGE(!one.failure->not_written().empty(), one.name);
+        missing.insert(one.failure->not_written());
+    }
+    CHECK(!missing.empty());
+    CHECK(std::includes(functions.begin(), functions.end(), missing.begin(), missing.end()));
+    const Judgement judgement = judged(exercise, run);
+    for (std::size_t i = 0; i < exercise.functions.size(); ++i)
+        CHECK_MESSAGE(judgement.functions[i] != State::passed, exercise.functions[i].name);
+    REQUIRE(judgement.function);
+    CHECK(judgement.function == exercise.functions.data());  // the first to be written is the first to be told of
+}
+
+TEST_CASE("the solution passes, in every scalar, and each function has its tests") {
+    const Workspace all = workspace();
+    const Exercise& exercise = exercise_called(all, lesson);
+    const TestRun run = run_tests(all, exercise, tools(all), {all.root / exercise.core, work_folder(all, "solution")});
+    CHECK_MESSAGE(run.passed(), first_trouble(run));
+    const Judgement judgement = judged(exercise, run);
+    for (std::size_t i = 0; i < exercise.functions.size(); ++i)
+        CHECK_MESSAGE(judgement.functions[i] == State::passed, exercise.functions[i].name);
+    for (const Function& function : exercise.functions)
+        for (const std::string& part : function.tests)
+            CHECK_MESSAGE(std::any_of(run.cases.begin(), run.cases.end(),
+                                      [&](const CaseResult& one) { return one.name.find(part) != std::string::npos; }),
+                          "no test is called ", part);
+}
+
+TEST_CASE("each mistake is caught, and recognised as itself; mistakes.json is what they do now") {
+    const Workspace all = workspace();
+    const Exercise& exercise = exercise_called(all, lesson);
+    const std::string recorded = read_text(exercise.lesson / "mistakes.json");
+    const std::vector<Trace> known = read_traces(exercise.lesson / "mistakes.json");
+    CHECK(read_mistakes(exercise).size() >= 7);
+    std::mutex mutex;  // doctest's checks are made from one thread
+    std::vector<std::pair<std::string, std::string>> told;
+    const std::vector<Trace> now =
+        traces_of_all(all, exercise, tools(all), [&](const Mistake& mistake, const TestRun& run) {
+            const std::lock_guard lock(mutex);
+            told.emplace_back(mistake.name,
+                              run.error ? "does not compile: " + run.error->message : looks_like(run, known));
+        });
+    for (const auto& [mistake, recognised] : told) CHECK(recognised == mistake);
+    CHECK_MESSAGE(written(now) == recorded, "make it anew: glassbox learn mistake ", exercise.number, " --record");
+}
+
+}  // namespace
+
+/// main prepare: makes what all lessons' tests are made with. main N-name …: tests a lesson.
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::cerr << argv[0] << ": error: name a lesson, such as 2-spheres\n";
+        return 2;
+    }
+    lesson = argv[1];
+    if (lesson == "prepare") {
+        tools(workspace());
+        return 0;
+    }
+    doctest::Context context(argc, argv);
+    return context.run();
+}
