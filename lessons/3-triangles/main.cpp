@@ -15,9 +15,8 @@ using namespace glassbox;
 /// The weights of the three corners, in eighths, as red, green and blue.
 Vec3<double> weight_color(const Ray<double>& ray, const Triangle<double>& triangle) {
     const auto [a, b, c] = sides(ray.D, seen_from(ray.P, triangle));
-    const auto level = [&](double weight) {
-        return 255.0 / 8 * std::clamp(std::floor(8 * weight / (a + b + c)), 0.0, 8.0);
-    };
+    const double sum = a + b + c;
+    const auto level = [sum](double weight) { return 255.0 / 8 * std::clamp(std::floor(8 * weight / sum), 0.0, 8.0); };
     return {level(a), level(b), level(c)};
 }
 
