@@ -37,7 +37,7 @@ std::string again(const CLI::App& command, const ExplainRequest& request) {
 void run(const CLI::App& command, const ExplainRequest& request) {
     const Scene scene = load(request);
     const auto [x, y] = pixel("--pixel", request.pixel, scene);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options.stage));
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
     Story story = explain(scene, request.options, x, y);
     story.command = again(command, request);
     fmt::print("{}", request.json ? to_json(story) : to_text(story));

@@ -59,7 +59,7 @@ std::vector<std::string> without_value(const std::vector<Measured>& all, Shading
 void run(const CLI::App& command, const MeasureRequest& request, Session& session) {
     check_measurements_file(request.out);
     const Scene scene = load(request);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options.stage));
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
     std::vector<std::vector<Plane>> planes = [&] {
         Progress progress("measuring", std::int64_t{scene.width} * scene.height);
         return measure(scene, request.options, request.wanted,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/tell.hpp"
+#include "render/ready.hpp"
 
 namespace glassbox {
 
@@ -32,14 +33,16 @@ void note(const CLI::App& command, const std::string& text, const std::vector<st
         tell(fmt::format("glassbox {}: note: {}: {}", command.get_name(), text, fmt::join(about, ", ")));
 }
 
-std::vector<std::string> unused_options(const CLI::App& command, Rays rays, int stage) {
+std::vector<std::string> unused_options(const CLI::App& command, Rays rays, const Options& options) {
     std::vector<std::string> unused;
     for (const auto& [option, first_stage, only_for_pictures] : uses) {
         if (!typed(command, option)) continue;
         if (only_for_pictures && rays == Rays::of_ones_own)
             unused.push_back(fmt::format("{} (only for pictures)", option));
-        else if (stage < first_stage) unused.push_back(fmt::format("{} (from stage {})", option, first_stage));
+        else if (options.stage < first_stage) unused.push_back(fmt::format("{} (from stage {})", option, first_stage));
     }
+    if (options.engine == Engine::fast && !engine_can(options))
+        unused.push_back("--engine fast (only for certified answers, not by the tolerance rule)");
     return unused;
 }
 

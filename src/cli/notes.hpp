@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "render/options.hpp"
+
 namespace glassbox {
 
 /// "glassbox render: note: …" on stderr, if there is anything to note.
@@ -12,6 +14,6 @@ void note(const CLI::App& command, const std::string& text, const std::vector<st
 enum class Rays { of_a_picture, of_ones_own };
 
 /// Which of the options that were typed come to nothing, and why: "--turn (from stage 5)".
-std::vector<std::string> unused_options(const CLI::App& command, Rays rays, int stage);
+std::vector<std::string> unused_options(const CLI::App& command, Rays rays, const Options& options);
 
 }  // namespace glassbox

@@ -51,7 +51,7 @@ void run(const CLI::App& command, const ShootRequest& request, Session& session)
     }
     const Scene scene = load(request);
     const std::vector<Ray<double>> rays = read_rays(request.rays);
-    note(command, "not used", unused_options(command, Rays::of_ones_own, request.options.stage));
+    note(command, "not used", unused_options(command, Rays::of_ones_own, request.options));
     const std::stop_token stop = session.interrupt.token();
     const std::vector<Shot> shots = [&] {
         Progress progress("shooting", static_cast<std::int64_t>(rays.size()));

@@ -13,7 +13,11 @@ namespace glassbox::engine {
 /// The largest float that is not above x.
 inline float rounded_down(double x) {
     const auto f = static_cast<float>(x);
-    return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+    if (!(static_cast<double>(f) > x)) return f;
+    // The float before f: std::nextafter, which is a call, without its special cases.
+    if (f == 0) return -std::numeric_limits<float>::denorm_min();
+    const auto bits = std::bit_cast<std::uint32_t>(f);
+    return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
 }
 
 /// The smallest float that is not below x.

@@ -64,7 +64,7 @@ public:
         if (!is_valid(ray)) return {};
         const std::optional<ProvenHit> hit = trace_proven(ray, probe);
         if (!hit) return {};
-        return Hit<double>{hit->surface, prover_.t_of(ray, hit->surface)};
+        return Hit<double>{hit->surface, hit->told_t};
     }
 
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }

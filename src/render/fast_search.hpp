@@ -80,7 +80,7 @@ public:
         if (!is_valid(ray)) return {};
         const std::optional<ProvenHit> hit = trace_proven(ray, probe);
         if (!hit) return {};
-        return Hit<double>{hit->surface, prover_.t_of(ray, hit->surface)};
+        return Hit<double>{hit->surface, hit->told_t};
     }
 
     double t_of(const Ray<double>& ray, std::size_t surface) const { return prover_.t_of(ray, surface); }
@@ -107,7 +107,7 @@ private:
 
         float until() const {
             if (!OnlyNearest<Probe> || !best) return std::numeric_limits<float>::infinity();
-            return boxes->until(search.prover_.no_farther_than(ray, *best));
+            return boxes->until(best->farthest);
         }
 
         void test_all(std::uint32_t leaf) {

@@ -16,10 +16,12 @@ namespace told {
 struct Undecided {};  ///< (surface): error bounds could not tell whether the ray meets it; exact arithmetic did
 }  // namespace told
 
-/// A hit that is proven. Its t comes with a bound that is infinite until somebody needs one.
+/// A hit that is proven.
 struct ProvenHit {
     std::size_t surface;
-    Bounded t;
+    Bounded t;        ///< its bound is infinite until somebody needs one
+    double told_t;    ///< t as it was found first: the same whatever else the ray meets
+    double farthest;  ///< no true t is beyond this; nearly t, for a triangle that is hit for sure
 };
 
 /// Decides about one ray and one surface, and which of two is nearer, and is right: plain double where an a-priori
@@ -54,20 +56,19 @@ public:
     template <class Probe>
     [[gnu::noinline]] void consider(std::optional<ProvenHit>& best, const Ray<double>& ray, std::size_t surface,
                                     Probe& probe) const {
-        std::optional<Bounded> t = sure_t(ray, surface);
-        if (!t) t = crossing_t(ray, surface, probe);
-        if (!t) return;
-        probe(told::Met{}, surface, t->value);
-        ProvenHit hit{surface, *t};
-        if (!best || !is_farther(ray, hit, *best)) best = hit;
+        std::optional<ProvenHit> hit = sure_hit(ray, surface);
+        if (!hit) hit = crossing(ray, surface, probe);
+        if (!hit) return;
+        probe(told::Met{}, surface, hit->told_t);
+        if (!best || !is_farther(ray, *hit, *best)) best = hit;
     }
 
     /// t of a surface that the ray meets, in double: the same whatever else the ray meets.
     double t_of(const Ray<double>& ray, std::size_t surface) const {
         const Silent silent;
-        std::optional<Bounded> t = sure_t(ray, surface);
-        if (!t) t = crossing_t(ray, surface, silent);
-        return t->value;
+        std::optional<ProvenHit> hit = sure_hit(ray, surface);
+        if (!hit) hit = crossing(ray, surface, silent);
+        return hit->told_t;
     }
 
     /// t of a surface that the ray meets, nearly as well as a double can say it.
@@ -82,14 +83,6 @@ public:
     std::optional<Exact> true_t(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface,
                          [&](const auto& shape, const auto& rule) { return exact_crossing(ray, shape, rule); });
-    }
-
-    /// A t that no true t of this hit is beyond. Nearly its t, for a triangle that is hit for sure.
-    double no_farther_than(const Ray<double>& ray, const ProvenHit& hit) const {
-        if (hit.t.error != not_bounded) return Bounded::up(std::abs(hit.t.value) + hit.t.error);
-        return with_rule(hit.surface, [&](const auto& shape, const auto&) {
-            return farthest(ray, shape, store_.errors(shape, hit.surface, ray), hit.t.value);
-        });
     }
 
     /// The unit normal where the ray meets a surface.
@@ -130,15 +123,17 @@ private:
     const SphereRoots& rule_for(const Sphere<double>&) const { return sphere_roots_; }
     const TriangleTest& rule_for(const Triangle<double>&) const { return triangle_test_; }
 
-    /// t of plain double, if it is a hit for sure. Done again for the few surfaces that are not missed: the loop over
-    /// all of them is faster when it need not keep t.
-    std::optional<Bounded> sure_t(const Ray<double>& ray, std::size_t surface) const {
-        return with_rule(surface, [&](const auto& shape, const auto& rule) -> std::optional<Bounded> {
+    /// What plain double says, if it is a hit for sure. Done again for the few surfaces that are not missed: the loop
+    /// over all of them is faster when it need not keep t.
+    std::optional<ProvenHit> sure_hit(const Ray<double>& ray, std::size_t surface) const {
+        return with_rule(surface, [&](const auto& shape, const auto& rule) -> std::optional<ProvenHit> {
             const Silent silent;
             Evidence evidence{silent};
             const Crossing<double> plain = intersect(ray, shape, rule, evidence);
-            if (!plain.met || !is_sure(ray, shape, store_.errors(shape, surface, ray), evidence.of_a_hit)) return {};
-            return Bounded{plain.t, not_bounded};
+            if (!plain.met) return {};
+            const auto& errors = store_.errors(shape, surface, ray);
+            if (!is_sure(ray, shape, errors, evidence.of_a_hit)) return {};
+            return ProvenHit{surface, {plain.t, not_bounded}, plain.t, farthest(ray, shape, errors, plain.t)};
         });
     }
 
@@ -193,25 +188,30 @@ private:
         return store_.with_surface(surface, [&](const auto& shape) { return use(shape, rule_for(shape)); });
     }
 
-    /// Where the ray meets the surface, if it does.
+    /// Where the ray meets the surface, if it does: with a bound.
     template <class Probe>
-    std::optional<Bounded> crossing_t(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
+    std::optional<ProvenHit> crossing(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
+        const auto hit = [&](const Bounded& t) {
+            return ProvenHit{surface, t, t.value, Bounded::up(std::abs(t.value) + t.error)};
+        };
         if (!only_exact_) {
             const Crossing<Bounded> bounded = bounded_crossing(ray, surface);
             if (!possibly(bounded.met)) return {};
-            if (surely(bounded.met)) return bounded.t;
+            if (surely(bounded.met)) return hit(bounded.t);
         }
         probe(told::Undecided{}, surface);
         const std::optional<Exact> t = true_t(ray, surface);
         if (!t) return {};
-        return t->to_bounded();
+        return hit(t->to_bounded());
     }
 
     /// The same hit, its t with a bound.
     ProvenHit with_bound(const Ray<double>& ray, const ProvenHit& hit) const {
         if (hit.t.error != not_bounded) return hit;
         const Silent silent;
-        return {hit.surface, *crossing_t(ray, hit.surface, silent)};
+        ProvenHit bounded = hit;
+        bounded.t = crossing(ray, hit.surface, silent)->t;
+        return bounded;
     }
 
     /// Bounds both t where it has to. At the same t the one that is listed first is taken for the farther.
