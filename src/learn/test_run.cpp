@@ -155,7 +155,7 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
                   const TestRequest& request, const std::stop_token& stop) {
     const Lock lock(request.folder, stop);
     std::vector<std::string> parts{tools.identity};
-    for (const char* folder : {"src/core", "src/numerics", "tests/stages", "tests/support"})
+    for (const char* folder : {"src/core", "src/numerics", "src/engine", "tests/stages", "tests/support"})
         add_headers(parts, workspace.root / folder);
     for (const std::string& test : exercise.tests) parts.push_back(read_text(workspace.root / test));
     add_headers(parts, request.headers);
