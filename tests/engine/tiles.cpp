@@ -1,5 +1,6 @@
 // Tiles of rays against rays traced one by one: what is told is true, and nearly all is told.
 #include <doctest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <atomic>
@@ -7,6 +8,7 @@
 #include "../certified/cases.hpp"
 #include "engine/kernels.hpp"
 #include "render/certified_search.hpp"
+#include "render/fast_search.hpp"
 #include "render/ready.hpp"
 #include "render/tiles.hpp"
 
@@ -140,4 +142,43 @@ TEST_CASE("views that are hardly views") {
     check("vast", odd);
     v = ParallelView{{2, 0, 0}, {0, 1e-30, 0}, {0, 0, 1e-30}, {-1, 0, 0}};
     check("narrow", odd);
+}
+
+TEST_CASE("every kind of vectors that this processor has tells the truth") {
+    Rays rays(4);
+    Scene heap;
+    for (int k = 0; k < 30; ++k) {
+        heap.spheres.push_back({2.0 * rays.anywhere(), 0.1 + 0.3 * rays.random.fraction(), {}});
+        const Point at = 2.0 * rays.anywhere();
+        heap.triangles.push_back({{at + rays.anywhere(), at + rays.anywhere(), at + rays.anywhere()}, {}});
+    }
+    const Scene scenes[] = {looked_at(heap, {5, 1, 1}, {0, 0, 0}, size),
+                            from_above(heap, {0, 0, 0}, {0.1, 0.3, -1}, 4, size),
+                            looked_at(test::scene_of(Shapes::globe(4)), {0, -3, 0.5}, {0, 0, 0}, size)};
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        CHECK(std::string(engine::vectors_used()) == hwy::TargetName(target));
+        for (const Scene& scene : scenes) {
+            const Counts counts = check(engine::vectors_used(), scene);
+            CHECK(counts.told > counts.pixels * 9 / 10);
+            // Ray by ray, with the same vectors.
+            const View seen = view(scene, {});
+            const CertifiedSearch<Stable, Pluecker> truth(surfaces<double>(scene, 5), {}, {},
+                                                          reach(seen, scene.width, scene.height), false);
+            const FastSearch<Stable, Pluecker> fast(ready(scene, 5, 1), {}, {});
+            int wrong = 0;
+            for (int y = 0; y < scene.height; y += 3)
+                for (int x = 0; x < scene.width; x += 3) {
+                    const Silent silent;
+                    const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
+                    const auto hit = fast.trace(ray, silent), expected = truth.trace(ray, silent);
+                    wrong += hit.has_value() != expected.has_value() ||
+                             (hit && (hit->surface != expected->surface || hit->t != expected->t));
+                }
+            CHECK(wrong == 0);
+        }
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
