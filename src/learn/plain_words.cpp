@@ -47,7 +47,7 @@ std::string without_aliases(std::string_view message) {
         const std::size_t close = text.find("'}", aka);
         if (open == std::string::npos || close == std::string::npos) break;
         const std::string real = text.substr(aka + 8, close - aka - 8);
-        text.replace(open + 1, close + 1 - open - 1, real);
+        text.replace(open + 1, close + 2 - open - 1, real + '\'');
     }
     return text;
 }

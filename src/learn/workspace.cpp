@@ -62,7 +62,7 @@ const Exercise& exercise_called(const Workspace& workspace, std::string_view nam
     for (const Exercise& exercise : workspace.exercises) {
         const std::string bare = exercise.name.substr(exercise.name.find('-') + 1);
         if (name == std::to_string(exercise.number) || name == exercise.name || name == bare) return exercise;
-        names.push_back(exercise.name);
+        names.push_back(bare);
     }
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw Error(fmt::format("glassbox learn: error: there is no lesson {}; {}, or its number", in_quotes(name),

@@ -1,0 +1,116 @@
+// `glassbox learn` as a learner runs it, without a terminal.
+#include <doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "cli/program.hpp"
+
+using namespace glassbox::test;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One folder for all cases: what the tests are made with is made once.
+const Folder& home() {
+    static Folder folder;
+    return folder;
+}
+
+Ran learn(Arguments arguments) {
+    arguments.insert(arguments.begin(), "learn");
+    arguments.insert(arguments.end(), {"--folder", "mine"});
+    return run_glassbox(arguments, {.folder = home().path});
+}
+
+void check_has(const std::string& text, const std::string& part) {
+    CHECK_MESSAGE(text.find(part) != std::string::npos, "'", part, "' should be in:\n", text);
+}
+
+}  // namespace
+
+TEST_CASE("learn shows where one is, and makes the first starter") {
+    const Ran ran = learn({});
+    CHECK(ran.status == 0);
+    check_has(ran.out, "1 Rays");
+    check_has(ran.out, "0 of 9 functions");
+    check_has(ran.out, "lessons/1-rays/README.md");
+    check_has(ran.out, "write   dot in mine/1-rays/vec3.hpp:");
+    CHECK(ran.out.find('\x1b') == std::string::npos);
+    CHECK(fs::exists(home() / "mine/1-rays/vec3.hpp"));
+}
+
+TEST_CASE("what is not written yet is what to write next; hints come in three tiers, and the last one stays") {
+    const Ran tested = learn({"test", "1"});
+    CHECK(tested.status == 1);
+    check_has(tested.out, "Next to write: dot in mine/1-rays/vec3.hpp:");
+    check_has(learn({"hint", "1"}).out, "A question (hint 1 of 3)");
+    check_has(learn({"hint"}).out, "The formula (hint 2 of 3)");
+    check_has(learn({"hint", "rays"}).out, "return a.x * b.x + a.y * b.y + a.z * b.z;");
+    check_has(learn({"hint", "1-rays"}).out, "hint 3 of 3");
+    check_has(learn({"status"}).out, "3 hints");
+}
+
+TEST_CASE("a classic mistake is told with its test, its numbers and its name's words; what was there is kept") {
+    const Ran made = learn({"mistake", "2", "far-root-missing"});
+    CHECK(made.status == 0);
+    check_has(made.out, "Kept: mine/2-spheres/sphere.hpp.1");
+    const Ran ran = learn({"test", "2"});
+    CHECK(ran.status == 1);
+    check_has(ran.out, "✗ intersect in mine/2-spheres/sphere.hpp:");
+    check_has(ran.out, "expected");
+    check_has(ran.out, "This looks familiar.");
+    check_has(ran.out, "view mine/.glassbox/failing.toml --pixel ");
+    CHECK(fs::exists(home() / "mine/.glassbox/failing.toml"));
+    check_has(learn({"mistake", "2"}).out, "normal-inwards");
+}
+
+TEST_CASE("the solution can be piped, passes, and makes a picture; that one gave up is remembered") {
+    const Ran solution = learn({"solution", "4"});
+    CHECK(solution.status == 0);
+    check_has(solution.err, "shading.hpp");
+    CHECK(solution.out == content(fs::path(ROOT) / "src/core/4-shading/shading.hpp"));
+    learn({"reset", "4"});
+    std::ofstream(home() / "mine/4-shading/shading.hpp") << solution.out;
+    const Ran tested = learn({"test", "4"});
+    CHECK(tested.status == 0);
+    check_has(tested.out, "of lesson 4 pass");
+    check_has(learn({"status"}).out, "passed, the solution was shown");
+    const Ran picture = learn({"picture", "2", "--mistake", "nearest-is-farthest", "-o", "wrong.png"});
+    CHECK(picture.status == 0);
+    CHECK(content(home() / "wrong.png").starts_with("\x89PNG"));
+    const Ran none = learn({"picture", "3", "-o", "none.png"});
+    CHECK(none.status == 1);
+    check_has(none.err, "is not written yet");
+    CHECK_FALSE(fs::exists(home() / "none.png"));
+}
+
+TEST_CASE("watch says what it watches and ends with Ctrl-C, in the middle of a test, too") {
+    for (const auto at : {300ms, 6000ms}) {
+        const Ran ran =
+            run_glassbox({"learn", "watch", "6", "--folder", "mine"}, {.folder = home().path, .signal_at = at});
+        CHECK(ran.seconds < 2);
+        CHECK((ran.status == 0 || ran.status == 130));
+        CHECK(ran.out.find('\x1b') == std::string::npos);
+        if (at > 1s) check_has(ran.out, "Watching mine/6-rounding; save a file to test again, Ctrl-C to end.");
+    }
+}
+
+TEST_CASE("a bad command line is refused in the words of the command that it names") {
+    check_refused(home(), {"learn", "tets", "1"}, 2,
+                  {"glassbox learn: error: 'tets' is no command; did you mean 'test'?"});
+    check_refused(home(), {"learn", "test", "1", "2"}, 2, {"glassbox learn test: error: '2' is one word too many"});
+    check_refused(home(), {"learn", "picture", "1"}, 2, {"glassbox learn picture: error: --out is missing"});
+    check_refused(home(), {"learn", "test", "nine"}, 1, {"there is no lesson 'nine'"});
+    check_refused(home(), {"learn", "mistake", "1", "croos-swapped"}, 1, {"did you mean 'cross-swapped'?"});
+}
+
+TEST_CASE("a compiler that is not there is asked for by name") {
+    ::setenv("CXX", "no-such-compiler", 1);
+    const Ran ran = learn({"test", "1"});
+    ::unsetenv("CXX");
+    CHECK(ran.status == 1);
+    check_has(ran.err, "the compiler 'no-such-compiler' does not answer");
+    check_has(ran.err, "install g++");
+}

@@ -1,0 +1,175 @@
+// What compilers say, and what a learner is told. The messages are those of g++ 12 and clang++ 14.
+#include "learn/compile_error.hpp"
+
+#include <doctest.h>
+
+#include <fstream>
+
+#include "learn/plain_words.hpp"
+#include "output/folder.hpp"
+
+using namespace glassbox;
+using namespace glassbox::learn;
+using glassbox::test::Folder;
+namespace fs = std::filesystem;
+
+namespace {
+
+Outcome said(const std::string& errors) {
+    Outcome outcome;
+    outcome.end = End::exited;
+    outcome.status = 1;
+    outcome.errors = errors;
+    return outcome;
+}
+
+/// A project with a learner's header of three lines, and a test that includes it.
+struct Project {
+    Folder folder;
+    fs::path mine = folder / "my";
+
+    Project() {
+        fs::create_directories(mine / "1-rays");
+        std::ofstream(mine / "1-rays" / "vec3.hpp") << "#pragma once\nint two = 2\n\treturn tow;\n";
+        fs::create_directories(folder / "src" / fs::path("core/2-spheres"));
+        std::ofstream(folder / "src" / fs::path("core/2-spheres/sphere.hpp")) << "\n";
+    }
+    CompileError error(const std::string& errors) const {
+        const auto found = compile_error(said(errors), mine, folder.path);
+        REQUIRE(found);
+        return *found;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("g++ and clang++ are told in the same plain words") {
+    struct Case {
+        const char *gcc, *clang, *part;
+    };
+    for (const auto& [gcc, clang, part] : {
+             Case{"expected ';' before '}' token", "expected ';' after return statement", "semicolon is missing"},
+             Case{"'c' was not declared in this scope", "use of undeclared identifier 'c'", "Nothing is called c here"},
+             Case{"'Reel' was not declared in this scope; did you mean 'Real'?",
+                  "unknown type name 'Reel'; did you mean 'Real'?", "called Reel here; did you mean Real?"},
+             Case{"no match for 'operator*' (operand types are 'const glassbox::Vec3<double>' and 'double')",
+                  "invalid operands to binary expression ('const Vec3<double>' and 'double')",
+                  "between Vec3<double> and double. What there is"},
+             Case{"no matching function for call to 'dot(const glassbox::Vec3<double>&)'",
+                  "no matching function for call to 'dot'", "There is a function dot, but it does not take"},
+             Case{"no return statement in function returning non-void [-Werror=return-type]",
+                  "non-void function does not return a value [-Werror,-Wreturn-type]", "without 'return'"},
+             Case{"cannot convert 'const glassbox::Vec3<double>' to 'double' in return",
+                  "no viable conversion from returned value of type 'const Vec3<double>' to function return type "
+                  "'double'",
+                  "must return double, and this is Vec3<double>"},
+             Case{"narrowing conversion of '1.5e+0' from 'double' to 'int' [-Wnarrowing]",
+                  "type 'double' cannot be narrowed to 'int' in initializer list [-Wc++11-narrowing]",
+                  "write static_cast<int>"},
+             Case{"'const struct glassbox::Vec3<double>' has no member named 'w'",
+                  "no member named 'w' in 'glassbox::Vec3<double>'", "There is no member w"},
+             Case{"cmaht: No such file or directory", "'cmaht' file not found", "There is no header cmaht"},
+             Case{"#include nested depth 200 exceeds maximum of 200 (use -fmax-include-depth=DEPTH to increase)",
+                  "#include nested too deeply", "includes itself"},
+             Case{"template instantiation depth exceeds maximum of 900 (use '-ftemplate-depth=' to increase)",
+                  "recursive template instantiation exceeded maximum depth of 1024", "needs itself without end"},
+             Case{"expected ')' before ';' token", "expected ')'", "A ( is not closed"},
+             Case{"unterminated comment", "unterminated /* comment", "never ends"},
+             Case{"extended character × is not valid in an identifier", "unexpected character <U+00D7>",
+                  "write * for × and ·"},
+             Case{"lvalue required as left operand of assignment", "expression is not assignable",
+                  "To compare, write =="},
+             Case{"assignment of member 'glassbox::Vec3<double>::x' in read-only object",
+                  "cannot assign to variable 'a' with const-qualified type 'const Vec3<double> &'", "const"},
+             Case{"redefinition of 'template<class Real> constexpr Real glassbox::dot(const Vec3<Real>&)'",
+                  "redefinition of 'dot'", "is written twice"},
+             Case{"'Real' does not name a type", "unknown type name 'Real'", "template <class Real>"},
+             Case{"invalid type argument of unary '*' (have 'double')",
+                  "indirection requires pointer operand ('double' invalid)", "missing before this *"},
+             Case{"'squrt' is not a member of 'std'; did you mean 'sqrt'?",
+                  "no member named 'squrt' in namespace 'std'; did you mean 'sqrt'?", "did you mean sqrt?"},
+         }) {
+        CAPTURE(part);
+        CHECK_MESSAGE(in_plain_words(gcc).find(part) != std::string::npos, in_plain_words(gcc));
+        CHECK_MESSAGE(in_plain_words(clang).find(part) != std::string::npos, in_plain_words(clang));
+    }
+    CHECK(in_plain_words("something that no compiler has ever said") == "");
+    CHECK(in_plain_words("") == "");
+}
+
+TEST_CASE("a name that g++ gives and then explains is the explained one") {
+    CHECK(in_plain_words("cannot convert 'glassbox::Vec3<double>' to 'std::type_identity_t<double>' {aka 'double'} in "
+                         "return") == "The function must return double, and this is Vec3<double>.");
+}
+
+TEST_CASE("the first error in the learner's own file is the one, though others come before it") {
+    const Project project;
+    const CompileError error = project.error(
+        "In file included from tests/stage.cpp:3:\n"
+        "src/core/1-rays/ray.hpp:11:5: error: 'Vec3' does not name a type\n"
+        "my/1-rays/vec3.hpp:2:12: error: expected ',' or ';' before 'return'\n"
+        "    2 | int two = 2\n"
+        "tests/stage.cpp:7:3: error: 'dot' was not declared in this scope\n");
+    CHECK(error.yours);
+    CHECK(error.place.file == (project.mine / "1-rays/vec3.hpp").string());
+    CHECK(error.place.line == 2);
+    CHECK(error.place.column == 12);
+    CHECK(error.source == "int two = 2");
+    CHECK(error.others == 2);
+    CHECK(with_caret(error) == "int two = 2\n           ^");
+}
+
+TEST_CASE("an error elsewhere that a line of the learner's led to is told at that line") {
+    const Project project;
+    // g++ tells the way before the error, clang++ after it
+    for (const char* text : {
+             "my/1-rays/vec3.hpp: In instantiation of 'int f() [with T = int]':\n"
+             "my/1-rays/vec3.hpp:3:9:   required from here\n"
+             "/usr/include/c++/12/cmath:99:1: error: no type named 'x' in 'struct y'\n",
+             "/usr/include/c++/12/cmath:99:1: error: no type named 'x' in 'y'\n"
+             "my/1-rays/vec3.hpp:3:9: note: in instantiation of function template specialization 'f' requested here\n",
+         }) {
+        const CompileError error = project.error(text);
+        CHECK(error.yours);
+        CHECK(error.place.line == 3);
+        CHECK(with_caret(error) == "\treturn tow;\n\t       ^");
+    }
+}
+
+TEST_CASE("an error in the tests is said to be about the headers") {
+    const Project project;
+    const CompileError error = project.error("tests/stage.cpp:7:3: error: some complaint that has no plain words\n");
+    CHECK_FALSE(error.yours);
+    CHECK(error.plain.find("The tests cannot use your headers as they are") == 0);
+}
+
+TEST_CASE("names that are nearly right are suggested from the file itself; headers from all lessons") {
+    const Project project;
+    CHECK(project.error("my/1-rays/vec3.hpp:3:9: error: 'tow' was not declared in this scope\n").plain ==
+          "Nothing is called tow here; did you mean 'two'?");
+    CHECK(project.error("my/1-rays/vec3.hpp:3:9: error: use of undeclared identifier 'tow'\n").plain ==
+          "Nothing is called tow here; did you mean 'two'?");
+    CHECK(project.error("my/1-rays/vec3.hpp:1:1: fatal error: sphere.hpp: No such file or directory\n").plain ==
+          "sphere.hpp belongs to lesson 2-spheres; this lesson does without it: take the include away.");
+    CHECK(project.error("my/1-rays/vec3.hpp:1:1: fatal error: 'spheer.hpp' file not found\n").plain ==
+          "There is no header spheer.hpp; did you mean 'sphere.hpp'?");
+}
+
+TEST_CASE("a compiler that comes to an end itself is told of, and so is a linker that misses a body") {
+    const Project project;
+    Outcome outcome = said("");
+    outcome.end = End::deadline;
+    const auto late = compile_error(outcome, project.mine, project.folder.path);
+    REQUIRE(late);
+    CHECK(late->plain.find("does not come to an end") != std::string::npos);
+    const auto missing =
+        link_error(said("/usr/bin/ld: x.o: in function `f':\nx.cpp:(.text+0x1): undefined reference to "
+                        "`glassbox::dot(int)'\ncollect2: error: ld returned 1 exit status\n"));
+    REQUIRE(missing);
+    CHECK(missing->message == "undefined reference to `glassbox::dot(int)'");
+    CHECK(missing->plain.find("no body") != std::string::npos);
+    Outcome good;
+    good.end = End::exited;
+    CHECK_FALSE(compile_error(good, project.mine, project.folder.path));
+    CHECK_FALSE(link_error(good));
+}

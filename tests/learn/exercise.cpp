@@ -1,0 +1,277 @@
+#include "learn/exercise.hpp"
+
+#include <doctest.h>
+
+#include <fstream>
+#include <stop_token>
+#include <thread>
+
+#include "learn/detective.hpp"
+#include "learn/failing_scene.hpp"
+#include "learn/progress.hpp"
+#include "learn/report.hpp"
+#include "learn/watch.hpp"
+#include "learn/workspace.hpp"
+#include "output/folder.hpp"
+#include "render/view.hpp"
+#include "scene/scene_file.hpp"
+
+using namespace glassbox;
+using namespace glassbox::learn;
+using namespace std::chrono_literals;
+using glassbox::test::content;
+using glassbox::test::Folder;
+using glassbox::test::message_of;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string good = R"(title = "Spheres"
+sentence = "You can see them."
+core = "src/core/2-spheres"
+headers = ["sphere.hpp"]
+tests = ["tests/stages/stage2_spheres.cpp"]
+scene = "scenes/sphere.toml"
+stage = 2
+[[function]]
+name = "normal"
+header = "sphere.hpp"
+tests = ["the normal points"]
+question = "Which way is up?"
+formula = "(p - c)/|p - c|"
+line = "return unit(point - sphere.c);"
+)";
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+    return text.replace(text.find(old), old.size(), by);
+}
+
+/// What is wrong with an exercise of that text, from the file's name on; "" if nothing is.
+std::string complaint(const std::string& text) {
+    const Folder folder;
+    const fs::path lesson = folder / "2-spheres";
+    fs::create_directory(lesson);
+    std::ofstream(lesson / "exercise.toml") << text;
+    const std::string message = message_of<Error>([&] { read_exercise(lesson); });
+    return message.substr(std::min(message.find("exercise.toml"), message.size()));
+}
+
+CaseResult failing(const std::string& name, const std::string& expression, const std::string& got) {
+    Failure failure;
+    failure.expression = expression;
+    failure.got = got;
+    return {name, failure};
+}
+
+CaseResult not_written(const std::string& name, const std::string& function) {
+    Failure failure;
+    failure.threw = "`" + function + "` is not written yet (my/2-spheres/sphere.hpp:7)";
+    return {name, failure};
+}
+
+}  // namespace
+
+TEST_CASE("what is wrong with an exercise is told with its line and column") {
+    CHECK(complaint(good) == "");
+    CHECK(complaint(replaced(good, "stage = 2", "stage = 9")) ==
+          "exercise.toml:7:9: error: stage is 9; it must be a whole number from 1 to 5");
+    CHECK(complaint(replaced(good, "formula =", "formulas =")) ==
+          "exercise.toml:13:1: error: unknown key 'formulas' in [[function]]; did you mean 'formula'?");
+    CHECK(complaint(replaced(good, "header = \"sphere.hpp\"", "header = \"spere.hpp\"")) ==
+          "exercise.toml:10:10: error: unknown header 'spere.hpp'; did you mean 'sphere.hpp'?");
+    CHECK(complaint(replaced(good, "title = \"Spheres\"\n", "")).find("has no title; it needs one") !=
+          std::string::npos);
+    CHECK(complaint(replaced(good, "\"src/core/2-spheres\"", "\"../elsewhere\"")) ==
+          "exercise.toml:3:8: error: core must be a path within the project, without '..'");
+    CHECK(
+        complaint(replaced(good, "tests = [\"the normal points\"]", "tests = []")).find("must be a list of strings") !=
+        std::string::npos);
+    CHECK(complaint("title = ").find("error: this is not TOML") != std::string::npos);
+    CHECK(complaint(good.substr(0, good.find("[["))).find("has no [[function]]") != std::string::npos);
+}
+
+TEST_CASE("a mistake's place in the solution must be there, and there only once") {
+    const Mistake mistake{"m", "x.hpp", "a + b", "a - b", "looks", {"mistakes.toml", 3, 8}};
+    CHECK(with_mistake("return a + b;", mistake) == "return a - b;");
+    CHECK(message_of<Error>([&] { with_mistake("return b;", mistake); }) ==
+          "mistakes.toml:3:8: error: instead_of of mistake 'm' stands nowhere in the solution's x.hpp; it must stand "
+          "there "
+          "exactly once");
+    CHECK(message_of<Error>([&] { with_mistake("a + b, a + b", mistake); }).find("more than once") !=
+          std::string::npos);
+}
+
+TEST_CASE("gots are the same where the words are, and the numbers nearly") {
+    CHECK(same_got("t: 0.5", "t: 0.5"));
+    CHECK(same_got("t: 0.5", "t: 0.50000001"));
+    CHECK_FALSE(same_got("t: 0.5", "t: 0.50001"));
+    CHECK_FALSE(same_got("t: 0.5", "s: 0.5"));
+    CHECK_FALSE(same_got("t: 0.5", "t: 0.5 0.5"));
+    CHECK(same_got("(1, -2e+20, nan)", "(1, -2.0000001e20, nan)"));
+    CHECK_FALSE(same_got("(1, 2, nan)", "(1, 2, inf)"));
+    CHECK(same_got("", ""));
+}
+
+TEST_CASE("a run looks like the mistake that shares most: all that it fails must fail here, with the same got") {
+    const std::vector<Trace> known{{"small", "one", "f(): 3"},
+                                   {"large", "one", "f(): 3"},
+                                   {"large", "two", "g(): 4"},
+                                   {"other", "one", "f(): 3"},
+                                   {"other", "three", "h(): 5"}};
+    TestRun run;
+    run.cases = {failing("one", "f()", "3"), failing("two", "g()", "4 (0x1p+2)"), {"three"}};
+    CHECK(looks_like(run, known) == "large");
+    run.cases[1] = {"two"};
+    CHECK(looks_like(run, known) == "small");
+    run.cases[0] = failing("one", "f()", "7");
+    CHECK(looks_like(run, known) == "");
+    // what fails only because something is not written yet neither speaks for a mistake nor against it
+    run.cases = {failing("one", "f()", "3"), not_written("two", "g"), {"three"}};
+    CHECK(looks_like(run, known) == "large");  // as "small" does it, too: the first by name
+    run.cases = {not_written("one", "f"), not_written("two", "g"), {"three"}};
+    CHECK(looks_like(run, known) == "");
+}
+
+TEST_CASE("traces are written a line each, and read again") {
+    const Folder folder;
+    const std::vector<Trace> traces{{"a", "says \"x\"<double>", "f(): 3"}, {"b", "two", "threw −1"}};
+    std::ofstream(folder / "mistakes.json") << written(traces);
+    CHECK(read_traces(folder / "mistakes.json") == traces);
+    const std::string text = written(traces);
+    CHECK(std::count(text.begin(), text.end(), '\n') == 4);
+    CHECK(read_traces(folder / "none.json").empty());
+    std::ofstream(folder / "mistakes.json") << "[{\"mistake\": 3}]";
+    CHECK(message_of<Error>([&] { read_traces(folder / "mistakes.json"); }).find("--record") != std::string::npos);
+}
+
+TEST_CASE("a report is read up to where it ends; lines without the nonce are nobody's") {
+    const auto line = [](const std::string& rest, const char* nonce = "n") {
+        return std::string("{\"nonce\":\"") + nonce + "\"," + rest + "}\n";
+    };
+    const std::string two =
+        line(R"("is":"case","name":"one")") + line(R"("is":"end","passed":true)") + line(R"("is":"case","name":"two")");
+    Outcome good, crashed;
+    good.end = End::exited;
+    good.last_words.kind = LastWords::finished;
+    crashed.end = End::signal;
+    crashed.status = SIGSEGV;
+
+    const Report whole = read_report(two + line(R"("is":"end","passed":true)") + line(R"("is":"done")"), "n", good);
+    CHECK(whole.disturbed == "");
+    REQUIRE(whole.cases.size() == 2);
+    CHECK_FALSE(whole.cases[1].failure);
+
+    const Report died = read_report(two, "n", crashed);
+    REQUIRE(died.cases.size() == 2);
+    REQUIRE(died.cases[1].failure);
+    CHECK(died.cases[1].failure->died.find("memory that is not its own") != std::string::npos);
+
+    const Report forged =
+        read_report(two + line(R"("is":"end","passed":true)", "m") + line(R"("is":"done")", "m"), "n", good);
+    CHECK(forged.disturbed.find("something else than the tests") == 0);
+    const Report garbage = read_report("\xff\xfe{{{\n" + two, "n", crashed);
+    CHECK(garbage.cases.size() == 2);
+    CHECK(read_report("", "n", crashed).cases.empty());
+}
+
+TEST_CASE("a failing scene has the test's ray, to the bit, at the pixel that is named") {
+    Failure failure;
+    const Folder folder;
+    for (const double size : {0x1p-33, 0.1, 1.0, 0x1p33}) {
+        CAPTURE(size);
+        failure.ray = {-10 * size, 3 * size, size / 3, 1, 0.25, -1.0 / 3};
+        for (const std::vector<double>& surface :
+             {std::vector<double>{0, 0, 0, 5 * size}, std::vector<double>{size, 2 * size, 3 * size, 5 * size, -size,
+                                                                          4 * size, 2 * size, 6 * size, -2 * size}}) {
+            failure.surface = surface;
+            const auto made = failing_scene("a \"test\"<double>", failure);
+            REQUIRE(made);
+            std::ofstream(folder / "failing.toml") << made->toml;
+            const Scene scene = read_scene(folder / "failing.toml");
+            CHECK(scene.spheres.size() + scene.triangles.size() == 1);
+            const Ray<double> ray =
+                pixel_ray(rebuilt_view(scene, {}), made->pixel.first, made->pixel.second, scene.height);
+            CHECK(ray.P == Vec3<double>{failure.ray[0], failure.ray[1], failure.ray[2]});
+            CHECK(ray.D == Vec3<double>{failure.ray[3], failure.ray[4], failure.ray[5]});
+        }
+    }
+    failure.ray = {0, 0, 0, 0, 0, 0};
+    CHECK_FALSE(failing_scene("a ray without a direction", failure));
+    failure.ray.clear();
+    CHECK_FALSE(failing_scene("no ray", failure));
+}
+
+TEST_CASE("progress is kept; a memory that cannot be read is set aside with a word, and nothing breaks") {
+    const Folder folder;
+    const fs::path file = folder / "progress.json";
+    std::string complaint;
+    CHECK(read_progress(file, complaint).lessons.empty());
+    CHECK(complaint == "");
+    Progress progress;
+    progress.lessons["2-spheres"] = {true, true, 7, {{"normal", 2}}, {{"normal", State::failing}}, "abc"};
+    write_progress(file, progress);
+    const LessonProgress again = read_progress(file, complaint).lessons["2-spheres"];
+    CHECK(complaint == "");
+    CHECK(again.passed);
+    CHECK(again.gave_up);
+    CHECK(again.runs == 7);
+    CHECK(again.hints.at("normal") == 2);
+    CHECK(again.functions.at("normal") == State::failing);
+    CHECK(again.tested == "abc");
+    for (const char* broken : {"", "{", "[]", "{\"version\":1}", "{\"version\":\"x\",\"lessons\":{}}",
+                               "{\"version\":9,\"lessons\":{}}", "{\"version\":1,\"lessons\":{\"a\":3}}", "\xff"}) {
+        CAPTURE(std::string(broken));
+        std::ofstream(file) << broken;
+        complaint.clear();
+        CHECK(read_progress(file, complaint).lessons.empty());
+        CHECK(complaint.find("cannot be read") != std::string::npos);
+        CHECK_FALSE(fs::exists(file));
+        CHECK(content(folder / "progress.json.unreadable") == broken);
+    }
+}
+
+TEST_CASE("starters are made once; what a learner wrote is never lost") {
+    const Folder folder;
+    const Workspace workspace = open_workspace(ROOT, folder / "my");
+    CHECK(workspace.root == ROOT);
+    const Exercise& exercise = exercise_called(workspace, "spheres");
+    CHECK(&exercise == &exercise_called(workspace, "2"));
+    CHECK(message_of<Error>([&] { exercise_called(workspace, "sphears"); }).find("did you mean 'spheres'?") !=
+          std::string::npos);
+    CHECK(make_starters(workspace, exercise));
+    CHECK_FALSE(make_starters(workspace, exercise));
+    const fs::path header = workspace.header(exercise, "sphere.hpp");
+    CHECK(content(header) == content(exercise.starter("sphere.hpp")));
+    CHECK(reset(workspace, exercise).empty());  // nothing was changed
+    std::ofstream(header) << "first";
+    CHECK(reset(workspace, exercise) == std::vector<fs::path>{header.string() + ".1"});
+    std::ofstream(header) << "second";
+    CHECK(reset(workspace, exercise) == std::vector<fs::path>{header.string() + ".2"});
+    CHECK(content(header.string() + ".1") == "first");
+    CHECK(content(header.string() + ".2") == "second");
+    CHECK(content(header) == content(exercise.starter("sphere.hpp")));
+}
+
+TEST_CASE(
+    "a change is noticed, a touch is not; a file that is gone for a moment or written in two steps is one change") {
+    const Folder folder;
+    std::ofstream(folder / "vec3.hpp") << "one";
+    Watch watch(folder.path);
+    std::stop_source stop;
+    std::jthread edits([&] {
+        std::this_thread::sleep_for(150ms);
+        fs::last_write_time(folder / "vec3.hpp", fs::file_time_type::clock::now());
+        std::this_thread::sleep_for(300ms);
+        fs::remove(folder / "vec3.hpp");
+        std::ofstream file(folder / "vec3.hpp");
+        file << "tw" << std::flush;
+        std::this_thread::sleep_for(10ms);
+        file << "o" << std::flush;
+    });
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(watch.wait(stop.get_token()));
+    CHECK(std::chrono::steady_clock::now() - start > 400ms);  // not at the touch
+    edits.join();
+    stop.request_stop();
+    CHECK_FALSE(watch.wait(stop.get_token()));
+}
