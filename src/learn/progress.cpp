@@ -67,8 +67,8 @@ void write_progress(const fs::path& file, const Progress& progress) {
     Json lessons = Json::object();
     for (const auto& [name, lesson] : progress.lessons) {
         Json functions = Json::object();
-        for (const auto& [function, state] : lesson.functions)
-            functions[function] = name_where(states, [state](State one) { return one == state; });
+        for (const auto& function : lesson.functions)
+            functions[function.first] = name_where(states, [&](State one) { return one == function.second; });
         lessons[name] = {{"passed", lesson.passed},     {"gave_up", lesson.gave_up}, {"runs", lesson.runs},
                          {"hints", Json(lesson.hints)}, {"functions", functions},    {"tested", lesson.tested}};
     }
