@@ -32,8 +32,6 @@ void write(const Scene& scene, const Options& options, Sheet& sheet) {
     sheet.width = scene.width;
     sheet.height = scene.height;
     sheet.stage = options.stage;
-    sheet.sphere_rule = static_cast<std::int32_t>(options.sphere_rule.index());
-    sheet.triangle_rule = static_cast<std::int32_t>(options.triangle_rule.index());
     if (const auto* rule = std::get_if<Tolerance>(&options.triangle_rule)) sheet.tolerance = rule->tolerance;
     sheet.accumulated = options.accumulated;
     if (const auto* seen = std::get_if<PinholeView>(&scene.view)) {

@@ -43,8 +43,9 @@ struct Drawn {
     bool not_written = false;    ///< it ended because a function is not written yet: the last words say which
 };
 
-/// Lets a learner's renderer draw a scene, in double, in a process of its own. `show` is given what is there, from time
-/// to time. Of the options all but the scalar count. Throws Error if the system has no memory or process to give.
+/// Lets a learner's renderer, which was compiled for the options' rules, draw a scene, in double, in a process of its
+/// own. `show` is given what is there, from time to time. Of the options all but the scalar count. Throws Error if the
+/// system has no memory or process to give.
 Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Options& options,
            const std::function<void(std::shared_ptr<const Drawing>)>& show, const std::stop_token& stop = {});
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "learn/progress.hpp"
 #include "render/job.hpp"
@@ -104,9 +105,9 @@ struct Built {
 };
 
 Built build(const Workspace& workspace, const Exercise& exercise, const Compiler& compiler, const Workshop& shop,
-            const fs::path& program, const std::stop_token& stop) {
+            const std::vector<std::string>& rules, const fs::path& program, const std::stop_token& stop) {
     std::vector<std::string> all = flags;
-    if (is_about_bounds(exercise)) all.push_back("-DGLASSBOX_BOUNDED");
+    all.insert(all.end(), rules.begin(), rules.end());
     for (const std::string& flag : beginning_with(compiler, shop.folder / shop.precompiled)) all.push_back(flag);
     const fs::path object = shop.folder / fmt::format("new-{}.o", ::getpid()),
                    made = shop.folder / fmt::format("new-{}", ::getpid());
@@ -130,6 +131,18 @@ Built build(const Workspace& workspace, const Exercise& exercise, const Compiler
     fs::rename(made, program, failed);
     check(failed, program);
     return built;
+}
+
+/// What the renderer is to be compiled for.
+std::vector<std::string> rules_of(const Exercise& exercise, const Options& options) {
+    const char* const sphere = std::holds_alternative<Textbook>(options.sphere_rule) ? "Textbook" : "Stable";
+    const char* const triangle = std::holds_alternative<Tolerance>(options.triangle_rule)         ? "Tolerance"
+                                 : std::holds_alternative<MoellerTrumbore>(options.triangle_rule) ? "MoellerTrumbore"
+                                                                                                  : "Pluecker";
+    std::vector<std::string> flags_for{fmt::format("-DGLASSBOX_SPHERE_RULE={}", sphere),
+                                       fmt::format("-DGLASSBOX_TRIANGLE_RULE={}", triangle)};
+    if (is_about_bounds(exercise)) flags_for.push_back("-DGLASSBOX_BOUNDED");
+    return flags_for;
 }
 
 /// Rules of which another one can be chosen until they are written.
@@ -194,6 +207,8 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     }
     if (!compiler_) compiler_ = find_compiler();
     parts.push_back(state_of_ours(workspace.root));
+    const std::vector<std::string> rules = rules_of(exercise, options);
+    parts.insert(parts.end(), rules.begin(), rules.end());
 
     const auto start = Clock::now();
     fs::path program;
@@ -210,7 +225,7 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
         program = shop.folder / (exercise.name + "-" + fingerprint(parts));
         if (!fs::is_regular_file(program, none)) {
             tell(news);
-            const Built built = build(workspace, exercise, *compiler_, shop, program, stop);
+            const Built built = build(workspace, exercise, *compiler_, shop, rules, program, stop);
             compile_seconds = seconds_since(start);
             if (built.error || !built.words.empty()) {
                 news.stand = Stand::does_not_compile;

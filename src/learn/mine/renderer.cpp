@@ -70,9 +70,6 @@ Options options_of(Sheet& sheet) {
         const auto& [axis, degrees] = lists_of(sheet).turns[i];
         options.turns.push_back({static_cast<Axis>(axis), degrees});
     }
-    if (sheet.sphere_rule == 1) options.sphere_rule = Textbook{};
-    if (sheet.triangle_rule == 1) options.triangle_rule = Tolerance{sheet.tolerance};
-    if (sheet.triangle_rule == 2) options.triangle_rule = MoellerTrumbore{};
     return options;
 }
 
@@ -114,6 +111,14 @@ PlainSearch<double, SphereRoots, TriangleTest> search(const Sheet&, Surfaces<dou
 }
 #endif
 
+/// The rule, with its tolerance if it has one.
+template <class TriangleTest>
+TriangleTest triangle_rule(const Sheet& sheet) {
+    TriangleTest test{};
+    if constexpr (requires { test.tolerance; }) test.tolerance = sheet.tolerance;
+    return test;
+}
+
 template <class SphereRoots, class TriangleTest>
 void draw(Sheet& sheet, const SphereRoots& roots, const TriangleTest& test) {
     const auto at = [&](Stage stage) { sheet.at.store(stage, std::memory_order_release); };
@@ -123,12 +128,13 @@ void draw(Sheet& sheet, const SphereRoots& roots, const TriangleTest& test) {
     const View seen = view(scene, options);
     at(Stage::light);
     const Light<double> light = directional_light(scene.light_position, scene.light_intensity);
-    const Tracer tracer{search(sheet, surfaces<double>(scene, options.stage), seen, roots, test),
-                        surface_colors(scene),
-                        scene.background,
-                        light,
-                        scene.shading,
-                        options.stage};
+    using Search = decltype(search(sheet, {}, seen, roots, test));
+    const Tracer<Search> tracer{search(sheet, surfaces<double>(scene, options.stage), seen, roots, test),
+                                surface_colors(scene),
+                                scene.background,
+                                light,
+                                scene.shading,
+                                options.stage};
     at(Stage::pixels);
     SheetPixel* const pixels = lists_of(sheet).pixels;
     coarse_first(sheet.width, sheet.height, [&](int x, int y) {
@@ -158,9 +164,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        const glassbox::Options options = options_of(*sheet);
-        std::visit([&](const auto& roots, const auto& test) { draw(*sheet, roots, test); }, options.sphere_rule,
-                   options.triangle_rule);
+        // One rule of each kind: to compile those that are not chosen would take as long again.
+        using glassbox::GLASSBOX_SPHERE_RULE, glassbox::GLASSBOX_TRIANGLE_RULE;
+        draw(*sheet, GLASSBOX_SPHERE_RULE{}, triangle_rule<GLASSBOX_TRIANGLE_RULE>(*sheet));
     } catch (const glassbox::NotWritten&) {
         sheet->not_written = 1;
         throw;

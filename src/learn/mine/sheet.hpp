@@ -37,8 +37,7 @@ enum class Stage : std::int32_t { starting, view, light, pixels, done };
 struct Sheet {
     std::int32_t width, height;
     std::int32_t stage;
-    std::int32_t triangle_rule, sphere_rule;  ///< the index in TriangleRule and SphereRule
-    double tolerance;
+    double tolerance;  ///< of the triangle rule, if it has one
     std::int32_t accumulated;
 
     std::int32_t pinhole;  ///< whether `view` is eye, look_at, up; else it is corner, right, up, direction
