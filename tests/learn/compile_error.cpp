@@ -47,7 +47,7 @@ TEST_CASE("g++ and clang++ are told in the same plain words") {
     struct Case {
         const char *gcc, *clang, *part;
     };
-    for (const auto& [gcc, clang, part] : {
+    for (const Case& one : {
              Case{"expected ';' before '}' token", "expected ';' after return statement", "semicolon is missing"},
              Case{"'c' was not declared in this scope", "use of undeclared identifier 'c'", "Nothing is called c here"},
              Case{"'Reel' was not declared in this scope; did you mean 'Real'?",
@@ -89,9 +89,9 @@ TEST_CASE("g++ and clang++ are told in the same plain words") {
              Case{"'squrt' is not a member of 'std'; did you mean 'sqrt'?",
                   "no member named 'squrt' in namespace 'std'; did you mean 'sqrt'?", "did you mean sqrt?"},
          }) {
-        CAPTURE(part);
-        CHECK_MESSAGE(in_plain_words(gcc).find(part) != std::string::npos, in_plain_words(gcc));
-        CHECK_MESSAGE(in_plain_words(clang).find(part) != std::string::npos, in_plain_words(clang));
+        CAPTURE(one.part);
+        CHECK_MESSAGE(in_plain_words(one.gcc).find(one.part) != std::string::npos, in_plain_words(one.gcc));
+        CHECK_MESSAGE(in_plain_words(one.clang).find(one.part) != std::string::npos, in_plain_words(one.clang));
     }
     CHECK(in_plain_words("something that no compiler has ever said") == "");
     CHECK(in_plain_words("") == "");

@@ -150,13 +150,13 @@ TEST_CASE("a report is read up to where it ends; lines without the nonce are nob
     };
     const std::string two =
         line(R"("is":"case","name":"one")") + line(R"("is":"end","passed":true)") + line(R"("is":"case","name":"two")");
-    Outcome good, crashed;
-    good.end = End::exited;
-    good.last_words.kind = LastWords::finished;
+    Outcome ended, crashed;
+    ended.end = End::exited;
+    ended.last_words.kind = LastWords::finished;
     crashed.end = End::signal;
     crashed.status = SIGSEGV;
 
-    const Report whole = read_report(two + line(R"("is":"end","passed":true)") + line(R"("is":"done")"), "n", good);
+    const Report whole = read_report(two + line(R"("is":"end","passed":true)") + line(R"("is":"done")"), "n", ended);
     CHECK(whole.disturbed == "");
     REQUIRE(whole.cases.size() == 2);
     CHECK_FALSE(whole.cases[1].failure);
@@ -167,7 +167,7 @@ TEST_CASE("a report is read up to where it ends; lines without the nonce are nob
     CHECK(died.cases[1].failure->died.find("memory that is not its own") != std::string::npos);
 
     const Report forged =
-        read_report(two + line(R"("is":"end","passed":true)", "m") + line(R"("is":"done")", "m"), "n", good);
+        read_report(two + line(R"("is":"end","passed":true)", "m") + line(R"("is":"done")", "m"), "n", ended);
     CHECK(forged.disturbed.find("something else than the tests") == 0);
     const Report garbage = read_report("\xff\xfe{{{\n" + two, "n", crashed);
     CHECK(garbage.cases.size() == 2);

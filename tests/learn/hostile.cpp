@@ -158,7 +158,7 @@ TEST_CASE("whatever a learner's function does, it is told in words, with the fun
     struct Case {
         std::string kind, words;
     };
-    for (const auto& [kind, words] : {
+    for (const Case& one : {
              Case{"null pointer", "it followed a null pointer"},
              Case{"stack overflow", "its stack overflowed: a function that calls itself without end?"},
              Case{"endless loop", "without ending: an endless loop?"},
@@ -174,10 +174,10 @@ TEST_CASE("whatever a learner's function does, it is told in words, with the fun
              Case{"children", "without ending"},
              Case{"signal", "memory"},
          }) {
-        CAPTURE(kind);
-        const Variable variable("GLASSBOX_HOSTILE", kind);
+        CAPTURE(one.kind);
+        const Variable variable("GLASSBOX_HOSTILE", one.kind);
         const std::string told = victim().told(text, 700ms);
-        check_has(told, words);
+        check_has(told, one.words);
         check_has(told, "dot in ");
         check_has(told, "1-rays/vec3.hpp:");
         check_has(told, "a.b adds up the products of the components");
@@ -215,7 +215,7 @@ TEST_CASE("a header that does not compile is told of once, at its first error, i
     const std::string deep =
         "template <int n>\nstruct Deep {\n    static constexpr int value = Deep<n + 1>::value;\n};\n"
         "constexpr int deep = Deep<0>::value;\n\n}  // namespace glassbox";
-    for (const auto& [what, text, words] : {
+    for (const Case& one : {
              Case{"a hundred errors", hundred, {"1-rays/vec3.hpp:", "this does not compile", "more error"}},
              Case{
                  "a missing semicolon", victim().with_body("return a.x"), {"vec3.hpp:45:15", "A semicolon is missing"}},
@@ -241,9 +241,9 @@ TEST_CASE("a header that does not compile is told of once, at its first error, i
              Case{"another thing altogether", std::string(100, '\x01') + "%PDF-1.5", {"vec3.hpp:1:1"}},
              Case{"nothing", "", {"Vec3"}},
          }) {
-        CAPTURE(what);
-        const std::string told = victim().told(text);
-        for (const std::string& part : words) check_has(told, part);
+        CAPTURE(one.what);
+        const std::string told = victim().told(one.text);
+        for (const std::string& part : one.words) check_has(told, part);
         check_has(told, "compile");
         CHECK(told.find("\x1b") == std::string::npos);
         CHECK(victim().running() == 0);
