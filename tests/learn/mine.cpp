@@ -134,6 +134,12 @@ TEST_CASE("what is not begun, deleted or not written is told, and how to go on")
     news = learner.draw(spheres, scene, textbook);
     CHECK(news.stand == Stand::drawn);
 
+    Exercise speed = spheres;  // as a lesson whose headers no tracer of ours includes
+    speed.number = 7, speed.name = "7-speed", speed.core = "src/engine";
+    news = learner.draw(speed, scene, in_double(2));
+    CHECK(news.stand == Stand::not_there);
+    CHECK(news.words.find("'./glassbox learn picture 7' draws one that is") != std::string::npos);
+
     fs::remove(learner.workspace.header(spheres, "sphere.hpp"));
     news = learner.draw(spheres, scene, in_double(2));
     CHECK(news.stand == Stand::not_there);

@@ -194,6 +194,11 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     std::error_code none;
     std::vector<std::string> parts;
     try {
+        if (!is_about_bounds(exercise) && !exercise.core.starts_with("src/core/"))
+            throw Error(
+                fmt::format("the picture beside ours is not made by what {} teaches; './glassbox learn picture {}' "
+                            "draws one that is",
+                            exercise.name, exercise.number));
         if (!fs::is_directory(workspace.headers_of(exercise), none))
             throw Error(fmt::format("{} is not begun: './glassbox learn test {}' makes the files that you write",
                                     shown(workspace.headers_of(exercise)), exercise.number));
