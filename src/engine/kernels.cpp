@@ -361,8 +361,8 @@ private:
     /// Tests a sphere against all rays, by their doubles.
     ///
     /// With v = P − c the ray meets it where Δ = (v·D)² − D²(v² − r²) ≥ 0, and from outside, v² > r², first at
-    /// t = (−v·D − √Δ)/D², if v·D < 0. Rounding is off by at most 40u D²(v² + r²) for Δ (see filter.hpp), by 8u(v² + r²)
-    /// for v² − r², by 8u|v||D| for v·D, and by 8u relatively for D². A ray that is off by ε changes Δ by at most
+    /// t = (−v·D − √Δ)/D², if v·D < 0. Rounding is off by at most 40u D²(v² + r²) for Δ (see filter.hpp), by 8u(v² +
+    /// r²) for v² − r², by 8u|v||D| for v·D, and by 8u relatively for D². A ray that is off by ε changes Δ by at most
     /// 4ε|D|(v² + r²) or 4ε D²|v|, v·D by ε|v| or ε|D|, D² by 3ε|D| or not at all, v² − r² by 3ε|v|. Where −v·D and √Δ
     /// cancel, 8u|v||D| once more. From inside, and where nothing is sure, it is not told.
     HWY_ATTR void test_sphere(std::uint32_t surface) {
@@ -385,10 +385,9 @@ private:
             const Doubles D2 = dot(D, D), v2 = dot(v, v), b = dot(v, D), power = v2 - r2;
             const Doubles size_D = hn::Sqrt(D2.v), size_v = hn::Sqrt(v2.v), size = v2 + r2;
             const Doubles delta = b * b - D2 * power;
-            const Doubles delta_error = Doubles(48) * u * D2 * size +
-                                        Doubles(5) * size_D * (off_D * size + off_P * size_D * size_v);
-            const Doubles b_error =
-                Doubles(24) * u * size_v * size_D + Doubles(2) * (off_D * size_v + off_P * size_D);
+            const Doubles delta_error =
+                Doubles(48) * u * D2 * size + Doubles(5) * size_D * (off_D * size + off_P * size_D * size_v);
+            const Doubles b_error = Doubles(24) * u * size_v * size_D + Doubles(2) * (off_D * size_v + off_P * size_D);
             const Doubles power_error = Doubles(16) * u * size + Doubles(4) * off_P * size_v;
             const Doubles root_least = hn::Sqrt(max(delta - delta_error, zero).v);
             const Doubles root_most = hn::Sqrt(max(delta + delta_error, zero).v);
@@ -401,10 +400,10 @@ private:
             const auto is_sure = hn::And(hn::And(outside, hn::Gt(delta.v, delta_error.v)), hn::Gt(t_low.v, zero.v));
             // To floats, and outwards: a larger key is nearer.
             const Doubles wide(1 + 0x1p-20), narrow(1 - 0x1p-20);
-            const Doubles nearest = grid_.pinhole ? Doubles(hn::Div((key_of_t * wide).v, t_low.v))
-                                                  : -(key_of_t * t_low * narrow);
-            const Doubles farthest = grid_.pinhole ? Doubles(hn::Div((key_of_t * narrow).v, t_high.v))
-                                                   : -(key_of_t * t_high * wide);
+            const Doubles nearest =
+                grid_.pinhole ? Doubles(hn::Div((key_of_t * wide).v, t_low.v)) : -(key_of_t * t_low * narrow);
+            const Doubles farthest =
+                grid_.pinhole ? Doubles(hn::Div((key_of_t * narrow).v, t_high.v)) : -(key_of_t * t_high * wide);
             const auto infinite = hn::Set(d, std::numeric_limits<double>::infinity());
             const auto mark = [&](auto mask) HWY_ATTR { return Doubles(hn::IfThenElseZero(mask, one.v)); };
             store(Doubles(hn::IfThenElse(is_sure, nearest.v, infinite)), high + i);
@@ -420,9 +419,8 @@ private:
             for (std::size_t i = begin; i < begin + quarter_size; i += hn::Lanes(floats)) {
                 auto best_low = hn::Load(floats, tile_.key_low + i), best_high = hn::Load(floats, tile_.key_high + i);
                 auto best = hn::Load(w, tile_.surface + i);
-                const auto is = [&](const float* marks) HWY_ATTR {
-                    return hn::Gt(hn::Load(floats, marks + i), hn::Zero(floats));
-                };
+                const auto is = [&](const float* marks)
+                                    HWY_ATTR { return hn::Gt(hn::Load(floats, marks + i), hn::Zero(floats)); };
                 const auto sphere_low = hn::Load(floats, low + i), sphere_high = hn::Load(floats, high + i);
                 const auto may = hn::And(is(live), hn::Ge(sphere_high, best_low));
                 const Found<decltype(may), decltype(best_low)> found{may, hn::And(may, is(sure)), sphere_low,
