@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
 # Makes every picture of README, docs and lessons again: docs/figures.sh [FOLDER]
 #
-# - A line `./glassbox … -o docs/figures/NAME.png` in one of those pages is run as it stands there, so that the command
-#   beside a picture is the one that made it.
+# - A line `./glassbox … -o docs/figures/NAME.png`, or to a lesson's figures, in one of those pages is run as it stands
+#   there, so that the command beside a picture is the one that made it.
 # - docs/figures/NAME.script is what the viewer is told before it draws NAME.png, without a display.
-# - Pictures whose command no page shows are in `hidden` below.
+# - Pictures whose command no page shows are in `hidden` below; drawings, .svg, are made by hand.
 #
-# They are written to FOLDER, docs/figures if none is named. The program is $GLASSBOX, by default ./glassbox, which builds
-# first. The same program on the same machine makes the same bytes; the viewer's letters and lines are drawn by OpenGL, and
-# may differ a little on another machine.
+# They are written to where they belong, or to the same places in FOLDER. The program is $GLASSBOX, by default ./glassbox,
+# which builds first. The same program on the same machine makes the same bytes; the viewer's letters and lines are drawn by
+# OpenGL, and may differ a little on another machine.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-folder=${1:-docs/figures}
+out=${1:-.}
 program=${GLASSBOX:-./glassbox}
-mkdir -p "$folder"
+for folder in docs/figures lessons/*/figures; do mkdir -p "$out/$folder"; done
 
 hidden='
 ./glassbox render levental-2014 -o docs/figures/levental-2014.png
@@ -25,14 +25,15 @@ hidden='
 
 commands() {
     printf '%s' "$hidden"
-    find README.md docs lessons -name '*.md' -print0 | sort -z | xargs -0 grep -hE '^\./glassbox .* -o docs/figures/[^ ]+$'
+    find README.md docs lessons -name '*.md' -print0 | sort -z |
+        xargs -0 grep -hE '^\./glassbox .* -o (docs|lessons/[^ ]*)/figures/[^ ]+$'
 }
 
 commands | while read -r line; do
     [[ -n $line ]] || continue
-    read -ra words <<<"${line//docs\/figures\//$folder/}"
+    read -ra words <<<"$line"
     echo "${words[-1]}"
-    "$program" "${words[@]:1}" </dev/null
+    "$program" "${words[@]:1:${#words[@]}-2}" "$out/${words[-1]}" </dev/null
 done
 # The code of someone who learns, for figures that show it: the solution of lesson 2, but for a normal that calls itself.
 learner=$(mktemp -d)
@@ -44,12 +45,14 @@ sed -i.bak 's/return unit(point - sphere.c);/return point.z < 330 ? normal(spher
 
 for script in docs/figures/*.script; do
     name=$(basename "$script" .script)
-    echo "$folder/$name.png"
-    "$program" view --script "$script" --folder "$learner" --screenshot "$folder/$name.png" </dev/null
+    echo "docs/figures/$name.png"
+    "$program" view --script "$script" --folder "$learner" --screenshot "$out/docs/figures/$name.png" </dev/null
 done
 
 # Each picture that a page shows must be made by something above.
-find README.md docs lessons -name '*.md' -print0 | xargs -0 grep -ohE '(\]\(|src=")[A-Za-z./]*figures/[^")]+' | sort -u |
-    while read -r shown; do
-        [[ -e $folder/${shown##*/} ]] || { echo "docs/figures.sh: error: nothing makes ${shown##*/}" >&2 && exit 1; }
+find README.md docs lessons -name '*.md' | sort | while read -r page; do
+    { grep -ohE '(\]\(|src=")[A-Za-z./]*figures/[^")]+' "$page" || true; } | sed -E 's/^(\]\(|src=")//' | while read -r shown; do
+        [[ $shown == *.svg || -e $out/$(dirname "$page")/$shown ]] ||
+            { echo "docs/figures.sh: error: $page shows $shown, which nothing makes" >&2 && exit 1; }
     done
+done
