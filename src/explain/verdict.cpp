@@ -41,11 +41,11 @@ Verdict verdict(const Scene& scene, const Options& options, int x, int y) {
     Verdict result;
     result.ray = pixel_ray(seen, x, y, scene.height);
     with_tracer<Witness>(scene, options, reach(seen, scene.width, scene.height), {},
-                [&]<class Search>(const Tracer<Search>& tracer) {
-                    Witness witness{result};
-                    const auto ray = convert<typename Search::Number>(result.ray);
-                    result.color = tracer.color(ray, x, scene.height - 1 - y, witness);
-                });
+                         [&]<class Search>(const Tracer<Search>& tracer) {
+                             Witness witness{result};
+                             const auto ray = convert<typename Search::Number>(result.ray);
+                             result.color = tracer.color(ray, x, scene.height - 1 - y, witness);
+                         });
     return result;
 }
 

@@ -10,10 +10,10 @@ namespace glassbox {
 namespace {
 
 [[noreturn]] void fail(const char* step) {
-    throw Error(
-        fmt::format("glassbox view: error: OpenGL 3.3 cannot be had without a display ({} failed with EGL error {:#x}). "
-                    "Install Mesa's software renderer (Debian, Ubuntu: libegl1 libgl1-mesa-dri)",
-                    step, static_cast<unsigned>(eglGetError())));
+    throw Error(fmt::format(
+        "glassbox view: error: OpenGL 3.3 cannot be had without a display ({} failed with EGL error {:#x}). "
+        "Install Mesa's software renderer (Debian, Ubuntu: libegl1 libgl1-mesa-dri)",
+        step, static_cast<unsigned>(eglGetError())));
 }
 
 /// Of all displays the one that is none, else the system's. Nobody may terminate it: the process has only one of each.
