@@ -17,7 +17,7 @@ void check_interrupted(const Folder& folder, const Arguments& arguments, const s
         const Ran ran = run_glassbox(arguments, {.folder = folder.path, .signal_at = time, .signal = signal});
         CHECK(ran.status == 130);
         CHECK(ran.err.ends_with("glassbox: interrupted; no half-written file is left\n"));
-        CHECK(ran.seconds < 1);  // 0.1 where nothing else runs; more for a sanitizer's leak report
+        CHECK(ran.seconds < 4);  // 0.1 where nothing else runs; else the work alone takes several times that
         CHECK(folder.entries() == before);
     }
 }

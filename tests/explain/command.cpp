@@ -51,15 +51,3 @@ TEST_CASE("pixels that are none") {
     refused("", {"'' must be X,Y"});
     check_refused(folder, {"explain", "s.toml"}, 2, {"--pixel is missing"});
 }
-
-#ifdef NDEBUG  // the time is that of a release build
-TEST_CASE("within 50 ms, from the program's start to its end") {
-    const Folder folder;
-    double best = 1;
-    for (int i = 0; i < 10; ++i)
-        best = std::min(
-            best, run_glassbox({"explain", "levental-2014", "--pixel", "350,149"}, {.folder = folder.path}).seconds);
-    MESSAGE("explain took " << best * 1000 << " ms");
-    CHECK(best < 0.05);
-}
-#endif
