@@ -1,5 +1,7 @@
 #include "bench/runs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -24,6 +26,10 @@ double million_rays_a_second(const Work& work) {
 Spread spread(std::vector<double> numbers) {
     std::sort(numbers.begin(), numbers.end());
     return {numbers.front(), numbers[numbers.size() / 2], numbers.back()};
+}
+
+std::string to_text(const Spread& spread) {
+    return fmt::format("{:.3g} ({:.3g} ... {:.3g})", spread.median, spread.least, spread.greatest);
 }
 
 Speeds time_in_turn(const std::vector<Work>& works, int runs, std::atomic<std::int64_t>* done) {

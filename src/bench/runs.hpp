@@ -15,6 +15,9 @@ struct Spread {
 /// At least one number is needed.
 Spread spread(std::vector<double> numbers);
 
+/// "1.15 (1.1 ... 1.23)": the middle one, the least and the greatest.
+std::string to_text(const Spread& spread);
+
 /// Work to be timed: what it is called, how many rays it traces, and itself.
 struct Work {
     std::string name;

@@ -24,8 +24,6 @@ namespace {
 
 constexpr int side = 500;  // the paper's picture
 
-std::string shown(const Spread& s) { return fmt::format("{:.3g} ({:.3g} ... {:.3g})", s.median, s.least, s.greatest); }
-
 void print_steps(int runs) {
     const Scene scene = read_scene(GLASSBOX_PAPERS_SCENE);
     const auto by_engine = [&](int threads) {
@@ -43,9 +41,9 @@ void print_steps(int runs) {
     fmt::print("{:<38} {:<28} {:<28} {}\n", "", "million rays a second", "times the line above",
                "times the second line");
     for (std::size_t w = 0; w < works.size(); ++w)
-        fmt::print("{:<38} {:<28} {:<28} {}\n", works[w].name, shown(spread(speeds[w])),
-                   w > 0 ? shown(ratio(speeds[w], speeds[w - 1])) : "",
-                   w > 1 ? shown(ratio(speeds[w], speeds[1])) : "");
+        fmt::print("{:<38} {:<28} {:<28} {}\n", works[w].name, to_text(spread(speeds[w])),
+                   w > 0 ? to_text(ratio(speeds[w], speeds[w - 1])) : "",
+                   w > 1 ? to_text(ratio(speeds[w], speeds[1])) : "");
 }
 
 /// The cost of a ray through one mesh.

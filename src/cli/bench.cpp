@@ -28,16 +28,12 @@ struct BenchRequest {
     bool against_embree = false;
 };
 
-std::string shown(const Spread& s, const char* format) {
-    return fmt::format(fmt::runtime(fmt::format("{0} ({0} ... {0})", format)), s.median, s.least, s.greatest);
-}
-
 void print(const std::string& name, const std::vector<double>& speeds, const std::string& comparison = {}) {
-    fmt::print("  {:<34} {:<26} {}\n", name, shown(spread(speeds), "{:.3g}"), comparison);
+    fmt::print("  {:<34} {:<26} {}\n", name, to_text(spread(speeds)), comparison);
 }
 
 std::string times(const std::vector<double>& one, const std::vector<double>& other, const std::string& what) {
-    return shown(ratio(one, other), "{:.3g}") + " times " + what;
+    return to_text(ratio(one, other)) + " times " + what;
 }
 
 /// A scene's surfaces and the rays of its pixels as bare numbers.

@@ -24,10 +24,6 @@ namespace glassbox {
 
 namespace {
 
-std::string shown(const Spread& s, const char* format) {
-    return fmt::format(fmt::runtime(fmt::format("{0} ({0} ... {0})", format)), s.median, s.least, s.greatest);
-}
-
 /// Nanoseconds a ray, from million rays a second.
 std::vector<double> nanoseconds(std::vector<double> speeds) {
     for (double& speed : speeds) speed = 1000 / speed;
@@ -61,7 +57,7 @@ std::pair<std::size_t, std::size_t> differences_from_plain(const Scene& scene, c
 }
 
 void print(const std::string& name, const std::vector<double>& speeds, const std::string& comparison = {}) {
-    fmt::print("  {:<40} {:<26} {}\n", name, shown(spread(nanoseconds(speeds)), "{:.3g}"), comparison);
+    fmt::print("  {:<40} {:<26} {}\n", name, to_text(spread(nanoseconds(speeds))), comparison);
 }
 
 }  // namespace
@@ -102,11 +98,10 @@ void bench_against_embree(int runs, const std::stop_token& stop) {
             return time_in_turn(works, runs, &progress.done());
         }();
         print(works[0].name, speeds[0]);
-        print(works[1].name, speeds[1], shown(ratio(speeds[1], speeds[0]), "{:.3g}") + " times one thread");
+        print(works[1].name, speeds[1], to_text(ratio(speeds[1], speeds[0])) + " times one thread");
         for (std::size_t w = 2; w < works.size(); ++w)
-            print(works[w].name, speeds[w],
-                  "certified is " + shown(ratio(speeds[0], speeds[w]), "{:.3g}") + " times as fast");
-        print("(ray by ray, both)", speeds[2], shown(ratio(speeds[2], speeds[3]), "{:.3g}") + " times Embree, robust");
+            print(works[w].name, speeds[w], "certified is " + to_text(ratio(speeds[0], speeds[w])) + " times as fast");
+        print("(ray by ray, both)", speeds[2], to_text(ratio(speeds[2], speeds[3])) + " times Embree, robust");
         const auto [wrong, checked] = differences_from_plain(scene, ours, all);
         fmt::print(
             "  answers unlike those of the plain loop: {} of {} rays; ray by ray unlike together: {}; Embree's, "
