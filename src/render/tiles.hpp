@@ -10,8 +10,8 @@ namespace glassbox {
 
 /// Finds what the rays of all pixels meet first, many at a time, and calls `each(x, y, surface, t)` once for every
 /// pixel, on the job's threads: `surface` is engine::no_surface where none is met, and engine::not_told where the
-/// pixel's ray must be traced by itself; t is right to about five digits of the
-/// size of the scene. Throws Cancelled.
+/// pixel's ray must be traced by itself; t is right to about five digits of the size of the scene, in views whose
+/// neighbouring rays doubles tell apart. Throws Cancelled.
 template <class Each>
 void trace_tiles(const engine::Engine& engine, const View& view, int width, int height, const Job& job,
                  const Each& each) {
