@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr Limits while_compiling{.time = 30s, .memory = std::uint64_t{2} << 30, .output = std::size_t{1} << 20};
+constexpr Limits while_compiling{.time = 120s, .memory = std::uint64_t{2} << 30, .output = std::size_t{1} << 20};
 
 /// English, whatever the learner's language is, since we read it; and no cache in between, which only costs time for
 /// files that change each time.
