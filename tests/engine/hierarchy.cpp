@@ -81,7 +81,7 @@ struct Inspection {
 }  // namespace
 
 TEST_CASE("every surface is in one leaf, and in every box above it") {
-    for (const std::size_t count : {1, 2, 7, 8, 9, 100, 3000}) {
+    for (const std::size_t count : std::initializer_list<std::size_t>{1, 2, 7, 8, 9, 100, 3000}) {
         Surfaces<double> all = many(count);
         const Engine engine(all.spheres, all.triangles, 1);
         CAPTURE(count);
