@@ -164,11 +164,7 @@ const Mistake& mistake_called(const std::vector<Mistake>& mistakes, const std::s
 /// The folder with a lesson's headers to make a picture of: the learner's, the solution, or that with a mistake.
 fs::path headers_for_picture(Lesson& lesson, const Exercise& exercise) {
     const Workspace& workspace = lesson.learner.workspace();
-    if (lesson.request.solution) {
-        const fs::path none = workspace.hidden() / "solution" / exercise.name;  // nothing in it stands before ours
-        fs::create_directories(none);
-        return none;
-    }
+    if (lesson.request.solution) return workspace.solutions_of(exercise);
     if (lesson.request.mistake.empty()) {
         make_starters(workspace, exercise);
         for (const std::string& header : exercise.headers) read_header(workspace, exercise, header);
@@ -185,9 +181,7 @@ void picture(Lesson& lesson) {
     const Exercise& exercise = lesson.exercise();
     check_picture_file(lesson.request.picture);
     const fs::path headers = headers_for_picture(lesson, exercise);
-    const fs::path folder = lesson.learner.workspace().hidden() / exercise.name;
-    std::error_code none;
-    fs::create_directories(folder, none);
+    const fs::path folder = make_folder(lesson.learner.workspace().hidden() / exercise.name);
     const LessonPicture made =
         lesson_picture(lesson.learner.workspace(), exercise, lesson.learner.tools(), headers, folder, lesson.stop);
     if (lesson.stop.stop_requested()) throw Cancelled{};

@@ -129,7 +129,7 @@ void make_mistaken_headers(const Workspace& workspace, const Exercise& exercise,
                            const fs::path& folder) {
     std::error_code none;
     fs::remove_all(folder, none);
-    fs::create_directories(folder / exercise.include, none);
+    make_folder(folder / exercise.include);
     for (const std::string& header : exercise.headers) {
         std::string text = read_text(workspace.solution(exercise, header));
         if (header == mistake.header) text = with_mistake(text, mistake);

@@ -16,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path made(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) throw error_at({folder.string()}, fmt::format("cannot make this folder: {}", failed.message()));
-    return folder;
-}
-
 /// Is there a header of the lesson that is not the starter as it was?
 bool is_begun(const Workspace& workspace, const Exercise& exercise) {
     return std::ranges::any_of(exercise.headers, [&](const std::string& header) {
@@ -33,7 +26,7 @@ bool is_begun(const Workspace& workspace, const Exercise& exercise) {
 
 /// What the learner's folder remembers, read from a copy: reading sets aside what is unreadable.
 Progress remembered(const Workspace& learner, const fs::path& scratch, std::string& complaint) {
-    const fs::path copy = made(scratch) / "progress.json";
+    const fs::path copy = make_folder(scratch) / "progress.json";
     std::error_code none;
     fs::remove(copy, none);
     fs::copy_file(learner.hidden() / "progress.json", copy, none);
@@ -51,20 +44,20 @@ Grader::Grader(Workspace teacher, std::function<void(const std::string&)> say)
     : teacher_(std::move(teacher)),
       say_(std::move(say)),
       tools_(toolchain(teacher_, say_)),
-      scratch_(made(teacher_.hidden() / "grading")) {}
+      scratch_(make_folder(teacher_.hidden() / "grading")) {}
 
 const std::optional<Image>& Grader::ours(const Exercise& exercise, const std::stop_token& stop) {
     const auto [place, is_new] = ours_.try_emplace(exercise.number);
     if (is_new) {
-        const fs::path folder = made(scratch_ / "ours" / exercise.name);
-        place->second = lesson_picture(teacher_, exercise, tools_, teacher_.root / exercise.core, folder, stop).image;
+        const fs::path folder = make_folder(scratch_ / "ours" / exercise.name);
+        place->second = lesson_picture(teacher_, exercise, tools_, teacher_.solutions_of(exercise), folder, stop).image;
     }
     return place->second;
 }
 
 LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise, const std::stop_token& stop) {
     LessonStanding lesson{.number = exercise.number, .title = exercise.title};
-    const fs::path folder = made(scratch_ / exercise.name);
+    const fs::path folder = make_folder(scratch_ / exercise.name);
     for (const Function& function : exercise.functions) lesson.functions.push_back({function.name, function.header});
     if (!is_begun(learner, exercise)) return lesson;
 

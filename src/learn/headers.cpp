@@ -1,5 +1,7 @@
 #include "learn/headers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -30,6 +32,12 @@ std::string content_of(const fs::path& file) {
     if (!fs::is_regular_file(file, none) || fs::file_size(file, none) > most) return "";
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string state_of(const fs::path& file) {
+    std::error_code none;
+    return fmt::format("{} {} {}", file.string(), fs::file_size(file, none),
+                       fs::last_write_time(file, none).time_since_epoch().count());
 }
 
 void add_headers(std::vector<std::string>& parts, const fs::path& folder) {

@@ -60,9 +60,7 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop) {
         read_header(workspace_, exercise, header);  // complains if it must
     tools();
     const auto start = std::chrono::steady_clock::now();
-    TestRequest request{workspace_.headers_of(exercise), workspace_.hidden() / exercise.name};
-    std::error_code failed;
-    fs::create_directories(request.folder, failed);
+    const TestRequest request{workspace_.headers_of(exercise), make_folder(workspace_.hidden() / exercise.name)};
     const std::string tested_as = fingerprint_of(workspace_, exercise);
 
     Tested tested;

@@ -20,7 +20,7 @@ constexpr int largest_side = 16384;
 /// The words for a program that wrote no picture.
 std::string end_of(const Outcome& outcome) {
     const std::string text = outcome.last_words.kind == LastWords::threw ? outcome.last_words.text : "";
-    if (text.starts_with('`') && text.find("` is not written yet (") != std::string::npos) return text;
+    if (!function_not_written(text).empty()) return text;
     std::string words = in_words(outcome);
     if (words.empty() && outcome.last_words.kind != LastWords::finished) words = "it ended before its work was done";
     return words;

@@ -126,10 +126,12 @@ void add(TestRun& run, Report report) {
 
 }  // namespace
 
-std::string Failure::not_written() const {
+std::string function_not_written(const std::string& threw) {
     const std::size_t end = threw.find("` is not written yet (");
     return threw.starts_with('`') && end != std::string::npos ? threw.substr(1, end - 1) : "";
 }
+
+std::string Failure::not_written() const { return function_not_written(threw); }
 
 bool TestRun::passed() const {
     const auto passes = [](const CaseResult& one) { return !one.failure; };

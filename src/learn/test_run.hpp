@@ -12,6 +12,9 @@
 
 namespace glassbox::learn {
 
+/// The function that an exception names which lessons/not_written.hpp throws; "" for the text of any other.
+std::string function_not_written(const std::string& threw);
+
 /// The first thing that went wrong in a test case.
 struct Failure {
     std::string file;  ///< the check's place; "" for an exception that no check caught

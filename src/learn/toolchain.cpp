@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <future>
 
+#include "learn/headers.hpp"
 #include "scene/text_file.hpp"
 
 namespace glassbox::learn {
@@ -17,13 +18,6 @@ constexpr std::size_t most_kept = 3;  // compilers' worth of tools; each takes s
 
 /// -O0 compiles fastest; a function without a return would only crash, so it is an error.
 const std::vector<std::string> test_flags{"-O0", "-g0", "-Werror=return-type"};
-
-/// What a file is now, without reading it: enough for files of the system.
-std::string state_of(const fs::path& file) {
-    std::error_code none;
-    return fmt::format("{} {} {}", file.string(), fs::file_size(file, none),
-                       fs::last_write_time(file, none).time_since_epoch().count());
-}
 
 void remove_old(const fs::path& hidden, const fs::path& but) {
     std::vector<std::pair<fs::file_time_type, fs::path>> found;
@@ -83,10 +77,7 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     // Whole or not at all: made under another name first.
     const fs::path making = workspace.hidden() / fmt::format("new-tools-{}", ::getpid());
     fs::remove_all(making, failed);
-    fs::create_directories(making, failed);
-    if (failed)
-        throw error_at({making.string()},
-                       fmt::format("cannot make this folder: {}; name another one with --folder", failed.message()));
+    make_folder(making);
     try {
         make(workspace, tools.compiler, doctest, making, precompiled);
     } catch (...) {

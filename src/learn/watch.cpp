@@ -1,7 +1,5 @@
 #include "learn/watch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
@@ -19,13 +17,9 @@ constexpr auto between_looks = 80ms;
 constexpr auto to_settle = 30ms;  // an editor that writes in several steps is quicker than that
 
 /// Times and sizes of the headers.
-std::string state_of(const fs::path& folder) {
+std::string states_in(const fs::path& folder) {
     std::string state;
-    for (const fs::path& file : headers_in(folder)) {
-        std::error_code none;
-        state += fmt::format("{} {} {}\n", file.string(), fs::file_size(file, none),
-                             fs::last_write_time(file, none).time_since_epoch().count());
-    }
+    for (const fs::path& file : headers_in(folder)) state += state_of(file) + '\n';
     return state;
 }
 
@@ -41,15 +35,15 @@ bool sleep(std::chrono::milliseconds time, const std::stop_token& stop) {
 }  // namespace
 
 Watch::Watch(fs::path folder)
-    : folder_(std::move(folder)), seen_(state_of(folder_)), known_(fingerprint_of_headers(folder_)) {}
+    : folder_(std::move(folder)), seen_(states_in(folder_)), known_(fingerprint_of_headers(folder_)) {}
 
 bool Watch::wait(const std::stop_token& stop) {
     while (sleep(between_looks, stop)) {
-        std::string state = state_of(folder_);
+        std::string state = states_in(folder_);
         if (state == seen_) continue;
         for (bool settled = false; !settled;) {
             if (!sleep(to_settle, stop)) return false;
-            std::string now = state_of(folder_);
+            std::string now = states_in(folder_);
             settled = now == state;
             state = std::move(now);
         }

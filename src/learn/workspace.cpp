@@ -33,14 +33,6 @@ fs::path find_root(const fs::path& here) {
         "Glassbox's source, the one with lessons/ in it");
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
-        throw error_at({folder.string()},
-                       fmt::format("cannot make this folder: {}; name another one with --folder", failed.message()));
-}
-
 void write_text(const fs::path& path, const std::string& text) { write_whole(path, std::as_bytes(std::span(text))); }
 
 }  // namespace
@@ -55,6 +47,15 @@ Workspace open_workspace(const fs::path& here, const fs::path& folder) {
         throw error_at({folder.string()}, "this is not a folder; name a folder, or one that is to be made");
     workspace.exercises = read_exercises(workspace.root);
     return workspace;
+}
+
+fs::path make_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed)
+        throw error_at({folder.string()},
+                       fmt::format("cannot make this folder: {}; name another one with --folder", failed.message()));
+    return folder;
 }
 
 const Exercise& exercise_called(const Workspace& workspace, std::string_view name) {

@@ -23,8 +23,10 @@ struct Workspace {
     std::filesystem::path header(const Exercise& exercise, const std::string& name) const {
         return headers_of(exercise) / exercise.include / name;
     }
+    /// The folder with our headers of a lesson, and one of them.
+    std::filesystem::path solutions_of(const Exercise& exercise) const { return root / exercise.core; }
     std::filesystem::path solution(const Exercise& exercise, const std::string& name) const {
-        return root / exercise.core / name;
+        return solutions_of(exercise) / name;
     }
 };
 
@@ -34,6 +36,9 @@ Workspace open_workspace(const std::filesystem::path& here, const std::filesyste
 
 /// The exercise that is called "2", "2-spheres" or "spheres". Throws Error, which says what there is.
 const Exercise& exercise_called(const Workspace& workspace, std::string_view name);
+
+/// Makes a folder, and those that it lies in, unless it is there; returns it. Throws Error.
+std::filesystem::path make_folder(const std::filesystem::path& folder);
 
 /// Makes the learner's headers of a lesson from the starters, unless its folder is there. Returns whether it made it.
 bool make_starters(const Workspace& workspace, const Exercise& exercise);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "learn/headers.hpp"
 #include "learn/progress.hpp"
 #include "render/job.hpp"
 #include "scene/text_file.hpp"
@@ -25,7 +26,7 @@ const std::vector<std::string> flags{"-O0", "-g0", "-w", "-D_GLIBCXX_ASSERTIONS"
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A folder or file of ours that cannot be made, as an Error.
+/// A file of ours that cannot be made, as an Error.
 void check(const std::error_code& failed, const fs::path& path) {
     if (failed)
         throw error_at({path.string()},
@@ -38,9 +39,7 @@ std::string state_of_ours(const fs::path& root) {
     std::error_code none;
     for (const char* folder : {"src/core", "src/numerics", "src/scene", "src/render", "src/learn/mine"})
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder, none))
-            if (entry.is_regular_file(none))
-                states.push_back(fmt::format("{} {} {}", entry.path().string(), entry.file_size(none),
-                                             entry.last_write_time(none).time_since_epoch().count()));
+            if (entry.is_regular_file(none)) states.push_back(state_of(entry.path()));
     std::sort(states.begin(), states.end());
     return fingerprint(states);
 }
@@ -82,8 +81,7 @@ Workshop workshop(const Workspace& workspace, const Compiler& compiler, const st
     // Whole or not at all: made under another name first. What an older compiler or Glassbox has made goes.
     remove_all_that_begin_with("drawing-", workspace.hidden());
     const fs::path making = workspace.hidden() / fmt::format("new-drawing-{}", ::getpid());
-    fs::create_directories(making, failed);
-    check(failed, making);
+    make_folder(making);
     try {
         precompile(compiler, {prelude, making / shop.precompiled, {workspace.root / "src"}, flags, workspace.root},
                    stop);
@@ -221,12 +219,7 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     {
         News news;
         news.words = "compiling " + shown(workspace.headers_of(exercise));
-        const Workshop shop = [&] {
-            std::error_code missing;
-            const auto here = workspace.hidden();
-            if (!fs::is_directory(here, missing)) fs::create_directories(here, missing);
-            return workshop(workspace, *compiler_, stop);
-        }();
+        const Workshop shop = workshop(workspace, *compiler_, stop);
         program = shop.folder / (exercise.name + "-" + fingerprint(parts));
         if (!fs::is_regular_file(program, none)) {
             tell(news);
