@@ -57,6 +57,31 @@ struct Visit {
     float entry;
 };
 
+/// What is still to be visited; of what was pushed last the nearest lies on top.
+class Stack {
+public:
+    explicit Stack(const Visit& first) { visits_[depth_++] = first; }
+
+    bool is_empty() const { return depth_ == 0; }
+    Visit pop() { return visits_[--depth_]; }
+
+    /// The children whose bits are set.
+    void push(const Node& node, std::uint32_t children, const float (&entries)[fan_out]) {
+        const std::size_t first = depth_;
+        for (; children != 0; children &= children - 1) {
+            const auto i = static_cast<std::uint32_t>(__builtin_ctz(children));
+            const Visit one{node.child[i], entries[i]};
+            std::size_t place = depth_++;
+            for (; place > first && visits_[place - 1].entry < one.entry; --place) visits_[place] = visits_[place - 1];
+            visits_[place] = one;
+        }
+    }
+
+private:
+    Visit visits_[(fan_out - 1) * most_levels + fan_out];
+    std::size_t depth_ = 0;
+};
+
 /// The children that the ray meets before `until`, and where it enters each.
 HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float until, float (&entries)[fan_out]) {
     const hn::CappedTag<float, fan_out> d;
@@ -78,34 +103,38 @@ HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float u
     return met;
 }
 
-HWY_ATTR void Walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, void* state,
-                   WalkCounts& counts) {
+/// `open(child)` is told of each box that is looked into.
+template <class Open>
+HWY_INLINE HWY_ATTR void walk_telling(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit,
+                                      void* state, WalkCounts& counts, const Open& open) {
     if (hierarchy.nodes.empty()) return;
-    Visit stack[(fan_out - 1) * most_levels + fan_out];
-    std::size_t depth = 0;
-    stack[depth++] = {0, 0};
-    while (depth > 0) {
-        const auto [child, at] = stack[--depth];
+    Stack stack({0, 0});
+    while (!stack.is_empty()) {
+        const auto [child, at] = stack.pop();
         if (at > until) continue;
+        open(child);
         if (Child::is_leaf(child)) {
             until = visit(state, child, until);
             continue;
         }
         const Node& node = hierarchy.nodes[child];
         alignas(32) float entries[fan_out];
-        std::uint32_t met = children_met(node, ray, until, entries);
+        const std::uint32_t met = children_met(node, ray, until, entries);
         ++counts.nodes;
         counts.boxes_missed += static_cast<std::uint32_t>(fan_out - __builtin_popcount(met));
-        const std::size_t first = depth;
-        for (; met != 0; met &= met - 1) {
-            const auto i = static_cast<std::uint32_t>(__builtin_ctz(met));
-            const Visit one{node.child[i], entries[i]};
-            // The nearest is to lie on top.
-            std::size_t place = depth++;
-            for (; place > first && stack[place - 1].entry < one.entry; --place) stack[place] = stack[place - 1];
-            stack[place] = one;
-        }
+        stack.push(node, met, entries);
     }
+}
+
+HWY_ATTR void Walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, void* state,
+                   WalkCounts& counts) {
+    walk_telling(hierarchy, ray, until, visit, state, counts, [](std::uint32_t) HWY_ATTR {});
+}
+
+HWY_ATTR void WalkToldOf(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, OpenBox open,
+                         void* state, WalkCounts& counts) {
+    walk_telling(hierarchy, ray, until, visit, state, counts,
+                 [&](std::uint32_t child) HWY_ATTR { open(state, child); });
 }
 
 /// Side products as in filter::sides_error: |ŝ − s| ≤ 8u S, and S ≤ 2m²(|D.x| + |D.y| + |D.z|), where m is the largest
@@ -282,11 +311,9 @@ public:
         Frustum frustum;
         if (!set_frustum(frustum, engine_, grid_, {start_ - engine_.middle(), direction_})) return give_up();
         float until = std::numeric_limits<float>::infinity();
-        Visit stack[(fan_out - 1) * most_levels + fan_out];
-        std::size_t depth = 0;
-        stack[depth++] = {0, -std::numeric_limits<float>::infinity()};
-        while (depth > 0) {
-            const auto [child, at] = stack[--depth];
+        Stack stack({0, -std::numeric_limits<float>::infinity()});
+        while (!stack.is_empty()) {
+            const auto [child, at] = stack.pop();
             if (at > until) continue;
             if (Child::is_leaf(child)) {
                 if (test(child)) until = end_of(frustum);
@@ -294,15 +321,8 @@ public:
             }
             const Node& node = hierarchy.nodes[child];
             alignas(32) float entries[fan_out];
-            std::uint32_t met = children_met(node, frustum, until, entries);
-            const std::size_t first = depth;
-            for (; met != 0; met &= met - 1) {
-                const auto i = static_cast<std::uint32_t>(__builtin_ctz(met));
-                const Visit one{node.child[i], entries[i]};
-                std::size_t place = depth++;
-                for (; place > first && stack[place - 1].entry < one.entry; --place) stack[place] = stack[place - 1];
-                stack[place] = one;
-            }
+            const std::uint32_t met = children_met(node, frustum, until, entries);
+            stack.push(node, met, entries);
         }
     }
 
@@ -651,6 +671,7 @@ HWY_AFTER_NAMESPACE();
 namespace glassbox::engine {
 
 HWY_EXPORT(Walk);
+HWY_EXPORT(WalkToldOf);
 HWY_EXPORT(NotMissed);
 HWY_EXPORT(TraceTile);
 HWY_EXPORT(VectorsUsed);
@@ -658,6 +679,11 @@ HWY_EXPORT(VectorsUsed);
 void walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, void* state,
           WalkCounts& counts) {
     HWY_DYNAMIC_DISPATCH(Walk)(hierarchy, ray, until, visit, state, counts);
+}
+
+void walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, OpenBox open, void* state,
+          WalkCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(WalkToldOf)(hierarchy, ray, until, visit, open, state, counts);
 }
 
 std::uint32_t not_missed(const Block& block, const Ray<double>& ray) {

@@ -24,6 +24,13 @@ using VisitLeaf = float (*)(void* state, std::uint32_t leaf, float until);
 /// Visits the leaves of the boxes that the ray meets before `until`: near ones first, more or less.
 void walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, void* state, WalkCounts& counts);
 
+/// Is told which box the walk looks into: the code of a node or of a leaf, as in Node::child.
+using OpenBox = void (*)(void* state, std::uint32_t child);
+
+/// The same walk, told box by box: the root's first.
+void walk(const Hierarchy& hierarchy, const BoxRay& ray, float until, VisitLeaf visit, OpenBox open, void* state,
+          WalkCounts& counts);
+
 /// The triangles of a block that the ray may meet, a bit each: all others it surely misses.
 std::uint32_t not_missed(const Block& block, const Ray<double>& ray);
 

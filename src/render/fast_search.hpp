@@ -10,6 +10,7 @@ namespace glassbox {
 namespace told {
 struct NodesVisited {};  ///< (count): nodes of the hierarchy whose eight boxes were tested
 struct BoxesMissed {};   ///< (count): so many of these the ray misses, or they lie behind what it has met
+struct BoxOpened {};     ///< (code): a box is looked into, of the node or the leaf with that code (engine::Child)
 }  // namespace told
 
 /// A scene's surfaces in the engine. Bounds are found for a ray and a surface when they are asked for: a ray gets near
@@ -39,6 +40,12 @@ concept OnlyVerdicts = std::is_same_v<std::remove_const_t<Probe>, Silent> || req
     Probe::only_verdicts;
 };
 
+/// A probe that wants to hear which boxes are looked into.
+template <class Probe>
+concept HearsBoxes = requires {
+    Probe::hears_boxes;
+};
+
 /// Finds what a ray meets first as CertifiedSearch does, and answers the same. It tests only surfaces whose boxes the
 /// ray meets, and, if the probe is OnlyNearest, not far behind what it has met.
 ///
@@ -66,7 +73,10 @@ public:
         }
         for (const std::uint32_t surface : engine().loose()) walk.test(surface);
         engine::WalkCounts counts;
-        engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, &walk, counts);
+        if constexpr (HearsBoxes<Probe>)
+            engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, Walk<Probe>::open, &walk,
+                         counts);
+        else engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, &walk, counts);
         if constexpr (!OnlyVerdicts<Probe>) {
             probe(told::NodesVisited{}, counts.nodes);
             probe(told::BoxesMissed{}, counts.boxes_missed);
@@ -134,6 +144,10 @@ private:
             self.test_all(leaf);
             const bool is_new = self.best && (!before || before->surface != self.best->surface);
             return is_new ? self.until() : until;
+        }
+
+        static void open(void* state, std::uint32_t child) {
+            static_cast<Walk*>(state)->probe(told::BoxOpened{}, child);
         }
     };
 
