@@ -9,6 +9,7 @@
 
 #include "cli/scene_path.hpp"
 #include "cli/typed.hpp"
+#include "engine/hierarchy.hpp"
 #include "output/output_file.hpp"
 #include "render/option_names.hpp"
 #include "scene/error.hpp"
@@ -241,6 +242,14 @@ ScriptStep orbit(const Words& words) {
     return change([to](ViewerState& state) { state.orbit = to; });
 }
 
+ScriptStep boxes(const Words& words) {
+    if (words[1] == "off") return change([](ViewerState& state) { state.box_level.reset(); });
+    return change([level = whole_number("boxes", words[1], 0, engine::most_levels)](ViewerState& state) {
+        state.space_shown = true;
+        state.box_level = level;
+    });
+}
+
 ScriptStep step(const Words& words) {
     const auto to = find_named(step_targets, words[1]);
     const bool forward = words[1].starts_with('+'), relative = forward || words[1].starts_with('-');
@@ -334,6 +343,7 @@ const Command commands[] = {
      }},
     {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
     {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
+    {"boxes", "boxes LEVEL | off", 1, 1, boxes},
     {"key", "key LABEL", 1, 2, key},
     {"wait", "wait [SECONDS]", 0, 1,
      [](const Words& w) -> ScriptStep { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},

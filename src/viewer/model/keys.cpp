@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/model/boxes_in_space.hpp"
 #include "viewer/model/playing.hpp"
 
 namespace glassbox {
@@ -65,6 +66,11 @@ void play(State& state, const Results& results, const KeyPress&) {
     play_or_pause(state, results);
 }
 
+void change_boxes(State& state, const Results& results, const KeyPress& press) {
+    if (press.shift) go_back(state, results);
+    else go_deeper(state, results);
+}
+
 void change_text_size(State& state, float by) {
     float& size = state.appearance.text_size;
     size = std::clamp(size + by, least_text_size, greatest_text_size);
@@ -90,6 +96,9 @@ constexpr KeyBinding bindings[] = {
     {character('w'), "w", "turn the view 10° counter-clockwise about y", "View", turn<Axis::y, 10>},
     {character('s'), "s", "and back", "View", turn<Axis::y, -10>},
     {character('r'), "R", "take back all turns", "View", turn_back},
+
+    {character('b'), "b", "draw the engine's boxes in space, then a level deeper (with Shift: a level back)", "Space",
+     change_boxes},
 
     {named(Key::space), "Space", "play the pinned pixel's steps, or pause", "Steps", play},
     {character(']'), "]", "a step forward", "Steps", step<StepTo::forward>},

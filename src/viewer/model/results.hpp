@@ -13,6 +13,8 @@
 
 namespace glassbox {
 
+struct BoxLevels;
+
 /// A picture, perhaps a coarse one that a finer one will follow.
 struct Picture {
     std::shared_ptr<const Image> image;  ///< null: none yet
@@ -37,6 +39,7 @@ struct Results {
     std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none
     std::vector<Event> timeline;                    ///< of that story; empty without one
     std::shared_ptr<const Story> compared;          ///< of the second pinned pixel; null: none
+    std::shared_ptr<const BoxLevels> boxes;         ///< the engine's hierarchy; null: not drawn, or not there yet
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
     std::uint64_t mine_serial = 0;
 

@@ -62,6 +62,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.appearance = state.appearance;
         fresh.page = state.page;
         fresh.space_shown = state.space_shown;
+        fresh.box_level = state.box_level;
         fresh.overlay.measurement = state.overlay.measurement;
         fresh.overlay.opacity = state.overlay.opacity;
         fresh.beside = state.beside;

@@ -114,6 +114,7 @@ struct ViewerState {
     bool space_shown = true;
     float space_height = 0.35f;  ///< a part of the window's
     Orbit orbit;
+    std::optional<int> box_level;                ///< of the engine's hierarchy, whose boxes are drawn in space
     NumberForm number_form = NumberForm::brief;  ///< of the inspector
     bool keys_shown = false;
     bool leaving = false;  ///< the window is to be closed

@@ -84,8 +84,11 @@ double Interface::draw(const Input& input) {
     advance(state_, results_, seconds);
     background_.update(state_, results_);
     pictures_.update(state_, results_);
-    if (state_.space_shown) space_.update(state_, results_);
-    lay_out({state_, results_, pictures_, space_, fonts_, palette_, seconds});
+    if (state_.space_shown) {
+        space_.update(state_, results_);
+        boxes_.update(state_, results_);
+    }
+    lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, seconds});
     // Once more, so that what this frame's clicks ask for is begun at once.
     background_.update(state_, results_);
     const bool moving = state_.playing || state_.watching.running;

@@ -39,6 +39,7 @@ private:
     Results results_;
     Pictures pictures_;
     Space space_;
+    Boxes boxes_;
     Fonts fonts_;
     Palette palette_{};
     float loaded_text_size_ = 0;

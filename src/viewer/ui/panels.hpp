@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "viewer/model/boxes_in_space.hpp"
 #include "viewer/model/results.hpp"
 #include "viewer/model/space.hpp"
 #include "viewer/model/state.hpp"
@@ -16,6 +17,7 @@ struct Frame {
     const Results& results;
     const Pictures& pictures;
     const Space& space;
+    const Boxes& boxes;
     const Fonts& fonts;
     const Palette& palette;
     double seconds;  ///< since the last frame

@@ -6,6 +6,7 @@
 #include "explain/explain.hpp"
 #include "explain/words.hpp"
 #include "output/legend_number.hpp"
+#include "viewer/ui/space/boxes.hpp"
 #include "viewer/ui/space/labels.hpp"
 #include "viewer/ui/space/painter.hpp"
 
@@ -90,12 +91,12 @@ void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& 
 }
 
 /// What is not drawn, and that it is not.
-std::string caption(const SurfacesInSpace& surfaces) {
+std::string caption(const SurfacesInSpace& surfaces, bool with_mesh_boxes) {
     std::string text;
     const std::size_t spheres = surfaces.shown.spheres.size(), triangles = surfaces.shown.triangles.size();
     if (triangles < surfaces.all_triangles)
-        text += fmt::format("{} of {} triangles drawn, and the boxes around their meshes. ", triangles,
-                            surfaces.all_triangles);
+        text += fmt::format("{} of {} triangles drawn{}. ", triangles, surfaces.all_triangles,
+                            with_mesh_boxes ? ", and the boxes around their meshes" : "");
     if (spheres < surfaces.all_spheres) text += fmt::format("{} of {} spheres drawn. ", spheres, surfaces.all_spheres);
     if (surfaces.far > 0)
         text += fmt::format("{} {} far away: the wheel moves back. ", surfaces.far,
@@ -103,11 +104,11 @@ std::string caption(const SurfacesInSpace& surfaces) {
     return text;
 }
 
-void paint_caption(const SpaceCanvas& canvas, Labels& labels) {
-    const std::string text = caption(canvas.surfaces);
+void paint_caption(const SpaceCanvas& canvas, Labels& labels, float top) {
+    const std::string text = caption(canvas.surfaces, !canvas.frame.boxes.shown());
     if (text.empty()) return;
     const float pad = ImGui::GetFontSize() * .3f, width = static_cast<float>(canvas.camera.area.x) - 2 * pad;
-    const ImVec2 at{canvas.corner.x + pad, canvas.corner.y + pad};
+    const ImVec2 at{canvas.corner.x + pad, top};
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
     labels.keep_free(at, {at.x + size.x, at.y + size.y});
     canvas.list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, canvas.frame.palette.faint_text, text.c_str(),
@@ -153,27 +154,37 @@ void listen_to_mouse(const Frame& frame, ImVec2 size) {
 void draw_space(const Frame& frame) {
     const ImVec2 size = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     if (size.x < 8 || size.y < 8) return;
+    // The buttons come first, so that they get the clicks, and lie on top.
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.ChannelsSplit(2);
+    list.ChannelsSetCurrent(1);
+    const float pad = ImGui::GetFontSize() * .3f;
+    const ImVec2 buttons{corner.x + pad, corner.y + pad}, buttons_end = draw_box_buttons(frame, buttons);
+    list.ChannelsSetCurrent(0);
+    ImGui::SetCursorScreenPos(corner);
     listen_to_mouse(frame, size);
-    const bool hovered = ImGui::IsItemHovered() && !ImGui::IsItemActive();
+    const bool hovered =
+        ImGui::IsItemHovered() && !ImGui::IsItemActive() && !ImGui::IsMouseHoveringRect(buttons, buttons_end);
 
     const SurfacesInSpace& surfaces = frame.space.surfaces();
     const SpaceDrawing& drawing = frame.space.drawing();
     Ball sight = drawing.sight;
     sight.center = sight.center + std::max(0.0, 1 - frame.state.orbit.distance) * (drawing.focus - sight.center);
-    const SpaceCanvas canvas{frame,   surfaces,
-                             drawing, *ImGui::GetWindowDrawList(),
-                             corner,  camera(frame.state.orbit, sight, surfaces.upright, {size.x, size.y})};
+    const SpaceCanvas canvas{frame, surfaces, drawing,
+                             list,  corner,   camera(frame.state.orbit, sight, surfaces.upright, {size.x, size.y})};
     const ImVec2 end{corner.x + size.x, corner.y + size.y};
     canvas.list.PushClipRect(corner, end, true);
     paint_sorted(canvas);
     Labels labels(canvas.list, corner, end, faded(frame.palette.canvas, .65));
     std::vector<Hint> hints;
-    paint_caption(canvas, labels);
+    labels.keep_free(buttons, buttons_end);
+    paint_caption(canvas, labels, paint_box_legend(canvas, labels, buttons_end.y + pad));
     paint_labels(canvas, labels, hints);
     paint_arrows(canvas, labels);
     paint_light(canvas, labels, hints);
     paint_axes(canvas, labels, hints);
     canvas.list.PopClipRect();
+    list.ChannelsMerge();
 
     if (hovered) ImGui::SetTooltip("%s", said_of(canvas, ImGui::GetIO().MousePos, hints).c_str());
 }

@@ -19,6 +19,7 @@ constexpr Palette on_dark{
     .a = IM_COL32(86, 180, 233, 255),
     .b = IM_COL32(230, 159, 0, 255),
     .c = IM_COL32(225, 140, 190, 255),
+    .box = IM_COL32(230, 159, 0, 255),
 };
 constexpr Palette on_light{
     .passed = IM_COL32(0, 120, 90, 255),
@@ -33,6 +34,7 @@ constexpr Palette on_light{
     .a = IM_COL32(0, 100, 170, 255),
     .b = IM_COL32(165, 105, 0, 255),
     .c = IM_COL32(170, 60, 130, 255),
+    .box = IM_COL32(165, 105, 0, 255),
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ struct Palette {
     ImU32 canvas;   ///< behind everything
     ImU32 line;     ///< of a grid, a frame
     ImU32 a, b, c;  ///< the three side products and their edges
+    ImU32 box;      ///< a box of the engine's that the pinned ray meets
 };
 
 /// Sets Dear ImGui's style, for this size of text in pixels, and returns the colours that go with it.

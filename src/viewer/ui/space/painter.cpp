@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "viewer/ui/space/boxes.hpp"
+
 namespace glassbox {
 
 namespace {
@@ -13,10 +15,17 @@ constexpr int cells = 12;  // of the picture, on each side: perspective is not l
 
 /// Something to draw, and how far before the eye it is.
 struct Item {
-    enum class Kind { part, sphere, cell, line } kind;
+    enum class Kind { part, sphere, cell, line, edge } kind;
     double depth;
     std::size_t index;
     double from = 0, to = 0;  ///< of a line: the part of it
+};
+
+/// A piece of a box's edge.
+struct EdgePiece {
+    Vec3<double> from, to;
+    Passage passage;
+    bool ended;
 };
 
 ImU32 shaded(Rgb color, double light, double opacity) {
@@ -173,7 +182,38 @@ void add_pieces(std::vector<Item>& items, const SpaceCanvas& canvas, std::size_t
     }
 }
 
-std::vector<Item> sorted_items(const SpaceCanvas& canvas) {
+/// The edges of boxes as far as they are in sight, in pieces that are sorted one by one; of dashed ones every other.
+std::vector<EdgePiece> edge_pieces(const SpaceCanvas& canvas) {
+    std::vector<EdgePiece> pieces;
+    if (!canvas.frame.boxes.shown()) return pieces;
+    const double longest = canvas.drawing.sight.radius / 12 * std::min(1.0, canvas.frame.state.orbit.distance);
+    const double dash = .4 * ImGui::GetFontSize();  // pixels
+    constexpr double most = 200;
+    for (const BoxInSpace& box : canvas.frame.boxes.shown()->drawn)
+        for (int n = 0; n < 12; ++n) {
+            const auto [one, other] = edge(box, n);
+            const auto seen = visible_part(canvas.camera, one, other);
+            if (!seen) continue;
+            const auto& [from, to] = *seen;
+            const bool dashed = line_of(canvas, box.passage).dashed;
+            const ImVec2 a = canvas.on_screen(from), b = canvas.on_screen(to);
+            const double wanted = dashed ? std::hypot(b.x - a.x, b.y - a.y) / dash : length(to - from) / longest;
+            const int whole = static_cast<int>(std::clamp(std::ceil(wanted), dashed ? 3.0 : 1.0, most));
+            const int count = dashed ? whole | 1 : whole;  // an odd number begins and ends with a dash
+            for (int i = 0; i < count; i += dashed ? 2 : 1)
+                pieces.push_back({from + 1.0 * i / count * (to - from), from + (i + 1.0) / count * (to - from),
+                                  box.passage, box.ended});
+        }
+    return pieces;
+}
+
+void paint_edge(const SpaceCanvas& canvas, const EdgePiece& piece, double part) {
+    const BoxLine line = line_of(canvas, piece.passage);
+    const bool fainter = piece.ended && piece.passage == Passage::missed;
+    paint_line(canvas, piece.from, piece.to, faded(line.color, fainter ? .6 * part : part), line.width);
+}
+
+std::vector<Item> sorted_items(const SpaceCanvas& canvas, const std::vector<EdgePiece>& edges) {
     const Camera& camera = canvas.camera;
     const auto depth = [&](const Vec3<double>& point) {
         return camera.distance - dot(point - camera.middle, camera.back);
@@ -191,6 +231,8 @@ std::vector<Item> sorted_items(const SpaceCanvas& canvas) {
         items.push_back({Item::Kind::cell, depth((c[0] + c[2]) / 2), i});
     }
     for (std::size_t i = 0; i < canvas.drawing.lines.size(); ++i) add_pieces(items, canvas, i);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        items.push_back({Item::Kind::edge, depth((edges[i].from + edges[i].to) / 2), i});
     std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.depth > b.depth; });
     return items;
 }
@@ -264,8 +306,10 @@ void paint_sorted(const SpaceCanvas& canvas) {
     // Smoothed edges would show as seams between the parts of a triangle.
     const ImDrawListFlags before = canvas.list.Flags;
     const double edge_opacity = canvas.surfaces.shown.triangles.size() > 200 ? 0.18 : 0.5;
-    for (const auto& box : canvas.surfaces.boxes) paint_box(canvas, box);
-    for (const Item& item : sorted_items(canvas)) {
+    if (!canvas.frame.boxes.shown())
+        for (const auto& box : canvas.surfaces.boxes) paint_box(canvas, box);
+    const std::vector<EdgePiece> edges = edge_pieces(canvas);
+    for (const Item& item : sorted_items(canvas, edges)) {
         canvas.list.Flags = before & ~ImDrawListFlags_AntiAliasedFill;
         switch (item.kind) {
             case Item::Kind::part:
@@ -277,6 +321,9 @@ void paint_sorted(const SpaceCanvas& canvas) {
             case Item::Kind::cell:
                 paint_cell(canvas, item.index);
                 break;
+            case Item::Kind::edge:
+                paint_edge(canvas, edges[item.index], 1);
+                break;
             case Item::Kind::line:
                 const LineInSpace& line = canvas.drawing.lines[item.index];
                 paint_line(canvas, along(line, item.from), along(line, item.to),
@@ -284,6 +331,8 @@ void paint_sorted(const SpaceCanvas& canvas) {
         }
     }
     canvas.list.Flags = before;
+    for (const EdgePiece& piece : edges)
+        if (piece.passage != Passage::missed) paint_edge(canvas, piece, .4);
     for (const LineInSpace& line : canvas.drawing.lines)
         paint_line(canvas, line.from, line.to, faded(color_of(canvas.frame.palette, line.ink), line.dashed ? .2 : .4),
                    width_of(line));

@@ -28,7 +28,8 @@ ImU32 faded(ImU32 color, double part);
 /// The usual width of a line, in pixels.
 float line_width();
 
-/// Draws surfaces, the picture and lines, the farthest first; then all lines once more, faintly, so that none is lost.
+/// Draws surfaces, the picture, boxes and lines, the farthest first; then once more, faintly, all lines and the boxes
+/// that the pinned ray meets, so that none is lost.
 void paint_sorted(const SpaceCanvas& canvas);
 
 /// Draws a straight line as far as it is in sight.
