@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/box_ray.hpp"
+#include "engine/kernels.hpp"
 #include "render/fast_search.hpp"
 #include "render/ready.hpp"
 
@@ -67,14 +68,39 @@ bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t code) {
     return std::binary_search(codes.begin(), codes.end(), code);
 }
 
+/// Whether a ray meets the box around all surfaces, by the test that a walk makes of a node's children: the walk begins
+/// with those of the root, and has no need to test the root's own.
+bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
+    engine::Hierarchy above;  // one node, whose only child is that box
+    Node& node = above.nodes.emplace_back();
+    constexpr engine::Box empty;
+    for (int i = 0; i < engine::fan_out; ++i) {
+        const engine::Box& box = i == 0 ? engine.around() : empty;
+        for (int k = 0; k < 3; ++k) {
+            node.lo[k][i] = box.lo[k];
+            node.hi[k][i] = box.hi[k];
+        }
+        node.child[i] = i == 0 ? Child::leaf : Child::nothing;
+    }
+    bool met = false;
+    engine::WalkCounts counts;
+    const auto visit = [](void* state, std::uint32_t, float until) {
+        *static_cast<bool*>(state) = true;
+        return until;
+    };
+    engine::walk(above, ray, engine::Box::inf, visit, &met, counts);
+    return met;
+}
+
 /// Rounding keeps order: what lies in a box, and what is a double itself, lies in it after this, too.
 Vec3<double> in_world(const engine::Engine& engine, const float (&corner)[3]) {
     return engine.middle() + Vec3<double>{corner[0], corner[1], corner[2]};
 }
 
 Passage passage(const RayInBoxes* ray, std::uint32_t code) {
-    if (!ray || !holds(ray->met, code)) return Passage::missed;
-    return holds(ray->opened, code) ? Passage::opened : Passage::met;
+    if (!ray) return Passage::missed;
+    if (holds(ray->opened, code)) return Passage::opened;
+    return holds(ray->met, code) ? Passage::met : Passage::missed;
 }
 
 const char* plural(std::size_t count, const char* one, const char* many) { return count == 1 ? one : many; }
@@ -85,6 +111,7 @@ std::string words_of_met(const BoxesOnLevel& shown) {
 }
 
 std::string words_of_opened(const BoxesOnLevel& shown) {
+    if (shown.opened > shown.met) return "but it is opened, untested: the boxes in it are tested at once";
     if (shown.met == 0) return {};
     if (shown.opened < shown.met)
         return fmt::format("{} opened; the {} behind its first hit", shown.opened,
@@ -150,11 +177,13 @@ BoxLevels box_levels(std::shared_ptr<const engine::Engine> engine) {
 
 RayInBoxes ray_in_boxes(const std::shared_ptr<const engine::Engine>& engine, const Ray<double>& ray) {
     RayInBoxes result;
-    result.walks = is_valid(ray) && engine::box_ray(ray, *engine);
+    const std::optional<engine::BoxRay> boxes = is_valid(ray) ? engine::box_ray(ray, *engine) : std::nullopt;
+    result.walks = boxes.has_value();
     if (!result.walks) return result;
     const FastSearch<Stable, Pluecker> search(engine, {}, {});
     OpenedBoxes all;
     search.trace_proven(ray, all);
+    if (!meets_all(*engine, *boxes)) std::erase(all.codes, 0u);
     BoxesToFirstHit first;
     if (const std::optional<ProvenHit> hit = search.trace_proven(ray, first)) result.surface = hit->surface;
     result.met = sorted(std::move(all.codes));
@@ -179,7 +208,7 @@ BoxesOnLevel boxes_on_level(const BoxLevels& levels, int level, const RayInBoxes
     for_each_box(*levels.engine, level, [&](std::uint32_t code, const engine::Box& box, int its_level) {
         if (its_level < level && !is_leaf(code)) return;
         const Passage how = passage(ray, code);
-        result.met += how != Passage::missed;
+        result.met += ray && holds(ray->met, code);
         result.opened += how == Passage::opened;
         if (count++ % step != 0 && how == Passage::missed) return;
         result.drawn.push_back(

@@ -34,7 +34,8 @@ BoxLevels box_levels(std::shared_ptr<const engine::Engine> engine);
 struct RayInBoxes {
     bool walks = false;                  ///< otherwise its numbers are not fit for boxes, and it is tested against all
     std::vector<std::uint32_t> met;      ///< boxes that it meets, as far as it goes
-    std::vector<std::uint32_t> opened;   ///< those that the search looks into: none that begins behind the first hit
+    std::vector<std::uint32_t> opened;   ///< those that the search looks into: the root, and of the others that are met
+                                         ///< none that begins behind the first hit
     std::size_t tested = 0;              ///< surfaces in the opened leaves, and those that are in no box
     std::optional<std::size_t> surface;  ///< that it meets first
 };
@@ -60,7 +61,7 @@ struct BoxesOnLevel {
 
 /// All boxes of a level, 0 ≤ level ≤ deepest; of more than `most` an even sample, and all that the ray meets. `ray` may
 /// be null.
-BoxesOnLevel boxes_on_level(const BoxLevels& levels, int level, const RayInBoxes* ray, std::size_t most = 1500);
+BoxesOnLevel boxes_on_level(const BoxLevels& levels, int level, const RayInBoxes* ray, std::size_t most = 1000);
 
 /// One of a box's twelve edges, 0 ≤ n < 12: four along each axis.
 std::pair<Vec3<double>, Vec3<double>> edge(const BoxInSpace& box, int n);

@@ -96,8 +96,14 @@ float paint_box_legend(const SpaceCanvas& canvas, Labels& labels, float top) {
     const float font = ImGui::GetFontSize(), left = canvas.corner.x + font * .3f;
     const auto row = [&](const std::string& text, Passage passage) {
         if (text.empty()) return;
-        if (canvas.frame.boxes.shown()) paint_sample(canvas, {left, top + font / 2}, line_of(canvas, passage));
-        top = paint_words(canvas, labels, left + sample_length() + font * .5f, top, text, canvas.frame.palette.text);
+        float from = left;
+        if (canvas.frame.boxes.shown()) {
+            BoxLine line = line_of(canvas, passage);
+            if (passage == Passage::missed) line.color = canvas.frame.palette.faint_text;  // a single one must be seen
+            paint_sample(canvas, {left, top + font / 2}, line);
+            from += sample_length() + font * .5f;
+        }
+        top = paint_words(canvas, labels, from, top, text, canvas.frame.palette.text);
     };
     row(words.boxes, Passage::missed);
     row(words.met, Passage::met);
