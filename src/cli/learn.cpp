@@ -72,7 +72,8 @@ bool test(Lesson& lesson, const Exercise& exercise) {
     if (begins)
         print(fmt::format("Your headers of lesson {} are now in {}: the starters, to be completed.\n\n",
                           exercise.number, shown(lesson.learner.workspace().headers_of(exercise))));
-    const Tested tested = lesson.learner.test(exercise, lesson.stop);
+    const Tested tested = lesson.learner.test(
+        exercise, lesson.stop, [&](const TestRun& so_far) { print(so_far_text(exercise, so_far, lesson.paint)); });
     if (tested.run.stopped) throw Cancelled{};
     print(tested_text(lesson.learner, exercise, tested, lesson.paint));
     return tested.run.passed();

@@ -54,13 +54,15 @@ bool Learner::is_tested(const Exercise& exercise) {
     return remembered(exercise).tested == fingerprint_of(workspace_, exercise);
 }
 
-Tested Learner::test(const Exercise& exercise, const std::stop_token& stop) {
+Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
+                     std::function<void(const TestRun&)> so_far) {
     make_starters(workspace_, exercise);
     for (const std::string& header : exercise.headers)
         read_header(workspace_, exercise, header);  // complains if it must
     tools();
     const auto start = std::chrono::steady_clock::now();
-    const TestRequest request{workspace_.headers_of(exercise), make_folder(workspace_.hidden() / exercise.name)};
+    TestRequest request{workspace_.headers_of(exercise), make_folder(workspace_.hidden() / exercise.name)};
+    request.so_far = std::move(so_far);
     const std::string tested_as = fingerprint_of(workspace_, exercise);
 
     Tested tested;

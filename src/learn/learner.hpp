@@ -43,8 +43,10 @@ public:
     /// Whether the learner's headers are what was tested last.
     bool is_tested(const Exercise& exercise);
 
-    /// Tests a lesson; its starters are made if they are not there. Throws Error.
-    Tested test(const Exercise& exercise, const std::stop_token& stop = {});
+    /// Tests a lesson; its starters are made if they are not there. `so_far` is told what can be said already, if the
+    /// rest takes longer. Throws Error.
+    Tested test(const Exercise& exercise, const std::stop_token& stop = {},
+                std::function<void(const TestRun&)> so_far = {});
 
     /// The function that a hint would be for: the first that has not passed; null if all have.
     const Function* next_function(const Exercise& exercise, const std::stop_token& stop = {});

@@ -240,6 +240,12 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
     return text;
 }
 
+std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint) {
+    return fmt::format("{} {}\n", paint.good("✓"),
+                       fmt::format("In {} all {} of lesson {} pass; long double takes a moment more.",
+                                   fmt::join(run.scalars, " and "), plural(run.cases.size(), "test"), exercise.number));
+}
+
 std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint) {
     const Workspace& workspace = learner.workspace();
     const TestRun& run = tested.run;

@@ -29,6 +29,9 @@ std::string status_text(Learner& learner, const Paint& paint);
 std::string first_wrong_text(const Workspace& workspace, const Exercise& exercise, const TestRun& run,
                              const Judgement& judgement, const Paint& paint);
 
+/// That all passes in the scalars that were tested so far: a line.
+std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint);
+
 /// What came of a test, and of what is wrong one thing only.
 std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint);
 

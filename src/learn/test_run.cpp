@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <future>
 #include <random>
@@ -22,12 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t memory_of_a_test = std::uint64_t{1} << 30;
 
-/// Scalars that are compiled together.
-struct Group {
-    const char* name;     ///< of the files
-    const char* scalars;  ///< EVERY_SCALAR
-};
-constexpr Group first{"double", "double"}, rest{"others", "float, long double"};
+/// What the tests are compiled for, each by itself: what is most often wrong is wrong in double, and what is right in
+/// double and float is hardly ever wrong in long double.
+constexpr std::array<std::string_view, 3> scalars{"double", "float", "long double"};
 
 std::string random_text() {
     std::random_device device;
@@ -52,19 +50,21 @@ private:
     int descriptor_;
 };
 
-/// One group's program: compiled, linked, run.
+/// One scalar's program: compiled, linked, run.
 class Program {
 public:
     Program(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools, const TestRequest& request,
-            const Group& group)
-        : workspace_(workspace), exercise_(exercise), tools_(tools), request_(request), group_(group) {}
+            std::string_view scalar)
+        : workspace_(workspace), exercise_(exercise), tools_(tools), request_(request), scalar_(scalar) {}
 
-    /// Which of the tests' sources are to be compiled for this group: those that do not ask for scalars, once.
+    std::string scalar() const { return std::string(scalar_); }
+
+    /// Which of the tests' sources are to be compiled for this scalar: those that do not ask for scalars, once.
     std::vector<fs::path> sources() const {
         std::vector<fs::path> sources;
         for (const std::string& test : exercise_.tests) {
             const fs::path source = workspace_.root / test;
-            if (group_.name == first.name || read_text(source).find("EVERY_SCALAR") != std::string::npos)
+            if (scalar_ == scalars.front() || read_text(source).find("EVERY_SCALAR") != std::string::npos)
                 sources.push_back(source);
         }
         return sources;
@@ -83,7 +83,7 @@ public:
                              workspace_.root};
             for (const fs::path& more : {workspace_.root / "tests/stages", workspace_.root / "tests", doctest_folder()})
                 what.includes.push_back(more);
-            what.flags.push_back(fmt::format("-DEVERY_SCALAR={}", group_.scalars));
+            what.flags.push_back(fmt::format("-DEVERY_SCALAR={}", scalar_));
             const Outcome outcome = compile(tools_.compiler, what, stop);
             if (auto error = compile_error(outcome, request_.headers, workspace_.root)) return error;
         }
@@ -105,16 +105,16 @@ public:
     }
 
 private:
-    fs::path file(const std::string& what) const { return request_.folder / (std::string(group_.name) + "-" + what); }
+    fs::path file(const std::string& what) const { return request_.folder / fmt::format("{}-{}", scalar_, what); }
 
     const Workspace& workspace_;
     const Exercise& exercise_;
     const Toolchain& tools_;
     const TestRequest& request_;
-    const Group& group_;
+    std::string_view scalar_;
 };
 
-/// Adds what a program reported. Cases without a scalar are in both programs; the first result stands.
+/// Adds what a program reported. Cases without a scalar are in all programs; the first result stands.
 void add(TestRun& run, Report report) {
     for (CaseResult& one : report.cases) {
         const auto same = std::find_if(run.cases.begin(), run.cases.end(),
@@ -164,20 +164,30 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
     parts.push_back(content_of(workspace.root / "lessons/not_written.hpp"));
     const std::string ingredients = fingerprint(parts);
 
-    Program doubles(workspace, exercise, tools, request, first), others(workspace, exercise, tools, request, rest);
-    const bool two = !others.sources().empty();
-    std::stop_source enough;  // of the others, when the doubles fail
+    std::vector<Program> programs;
+    for (const std::string_view scalar : scalars) {
+        programs.emplace_back(workspace, exercise, tools, request, scalar);
+        if (programs.back().sources().empty()) programs.pop_back();
+    }
+    std::stop_source enough;  // of the others, when one fails
     const std::stop_callback both(stop, [&] { enough.request_stop(); });
-    const auto build_others = [&] { return others.build(ingredients, enough.get_token()); };
-    std::future<std::optional<CompileError>> built;
-    if (two && request.at_once) built = std::async(std::launch::async, build_others);
+    std::vector<std::future<std::optional<CompileError>>> built;
+    const auto build_next = [&] {
+        Program& program = programs[built.size()];
+        built.push_back(std::async(request.at_once ? std::launch::async : std::launch::deferred,
+                                   [&] { return program.build(ingredients, enough.get_token()); }));
+    };
 
     TestRun run;
-    run.error = doubles.build(ingredients, stop);
-    if (!run.error && !stop.stop_requested()) add(run, doubles.run(stop));
-    if (two && run.passed() && !stop.stop_requested()) {
-        run.error = built.valid() ? built.get() : build_others();
-        if (!run.error && !stop.stop_requested()) add(run, others.run(stop));
+    const std::size_t at_a_time = std::max(2u, std::thread::hardware_concurrency());
+    for (std::size_t i = 0; i < programs.size() && (i == 0 || run.passed()); ++i) {
+        while (built.size() < std::min(i + at_a_time, programs.size())) build_next();
+        const bool ready = built[i].wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+        if (i > 0 && i + 1 == programs.size() && !ready && request.so_far) request.so_far(run);
+        run.error = built[i].get();
+        if (run.error || stop.stop_requested()) break;
+        add(run, programs[i].run(stop));
+        run.scalars.push_back(programs[i].scalar());
     }
     enough.request_stop();
     run.stopped = stop.stop_requested();

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -45,6 +46,7 @@ struct CaseResult {
 struct TestRun {
     std::optional<CompileError> error;  ///< they did not compile; then there are no cases
     std::vector<CaseResult> cases;      ///< in the order of the tests; those after an early end are missing
+    std::vector<std::string> scalars;   ///< in which they ran: "double", "float"
     std::string disturbed;              ///< why the cases cannot be trusted, in words; "" if they can
     bool stopped = false;               ///< we were asked to stop
 
@@ -55,13 +57,15 @@ struct TestRun {
 struct TestRequest {
     std::filesystem::path headers;             ///< the folder that comes first on the include path
     std::filesystem::path folder;              ///< where the program is made; it must be there
-    bool at_once = true;                       ///< compile for all scalars at the same time, to answer soon
+    bool at_once = true;                       ///< compile for several scalars at the same time, to answer soon
     std::chrono::milliseconds deadline{5000};  ///< for the tests of a scalar
+    /// Is told how it went so far, when all has passed and only the last scalar takes longer.
+    std::function<void(const TestRun&)> so_far = {};
 };
 
-/// Compiles a lesson's tests against headers, runs them in a process of their own and reads what they report: for
-/// double, and where that goes well for float and long double. What is compiled already and has not changed is run as
-/// it is. Throws Error if the machine or the project is not as it should be.
+/// Compiles a lesson's tests against headers, runs them in processes of their own and reads what they report: for
+/// double, where that goes well for float, and where that goes well for long double. What is compiled already and has
+/// not changed is run as it is. Throws Error if the machine or the project is not as it should be.
 TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                   const TestRequest& request, const std::stop_token& stop = {});
 
