@@ -33,9 +33,11 @@ Progress remembered(const Workspace& learner, const fs::path& scratch, std::stri
     return read_progress(copy, complaint);
 }
 
-Verdict verdict(const TestRun& run) {
+Verdict verdict(const TestRun& run, const Judgement& judgement) {
     if (run.error) return Verdict::does_not_compile;
-    return run.passed() ? Verdict::passed : Verdict::failing;
+    if (run.passed()) return Verdict::passed;
+    const bool unfinished = run.disturbed.empty() && judgement.failed == 0 && judgement.waiting > 0;
+    return unfinished ? Verdict::unfinished : Verdict::failing;
 }
 
 }  // namespace
@@ -63,11 +65,14 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
 
     const TestRun run = run_tests(learner, exercise, tools_, {learner.headers_of(exercise), folder}, stop);
     const Judgement judgement = judged(exercise, run);
-    for (std::size_t k = 0; k < lesson.functions.size() && k < judgement.functions.size(); ++k)
-        lesson.functions[k].state = judgement.functions[k];
-    lesson.verdict = verdict(run);
+    for (std::size_t k = 0; k < lesson.functions.size(); ++k) {
+        lesson.functions[k].state = judgement.functions[k].state;
+        lesson.functions[k].waits_for = judgement.functions[k].waits_for;
+    }
+    lesson.verdict = verdict(run, judgement);
     lesson.cases = static_cast<int>(run.cases.size());
-    lesson.cases_passed = lesson.cases - judgement.failed;
+    lesson.cases_waiting = judgement.waiting;
+    lesson.cases_passed = lesson.cases - judgement.failed - judgement.waiting;
     if (!run.passed()) {
         lesson.wrong = first_wrong_text(learner, exercise, run, judgement, {});
         lesson.mistake = recognised(exercise, run).looks_like;

@@ -5,47 +5,58 @@
 namespace glassbox::learn {
 namespace {
 
-/// What one case says of the function that it tests.
-State said_by(const CaseResult& one, const Function& function) {
-    if (!one.failure) return State::passed;
-    const std::string missing = one.failure->not_written();
-    if (missing.empty()) return State::failing;
-    return missing == function.name ? State::not_written : State::unknown;
+/// The function that is not written yet, if that alone has ended the case; else "".
+std::string missing_in(const CaseResult& one) { return one.failure ? one.failure->not_written() : ""; }
+
+bool fails(const CaseResult& one) { return one.failure && missing_in(one).empty(); }
+
+/// What the cases that test a function say of it: what is wrong goes before what is missing.
+FunctionJudgement judged(const Function& function, const std::vector<const CaseResult*>& cases) {
+    FunctionJudgement judgement{cases.empty() ? State::unknown : State::passed, ""};
+    for (const CaseResult* one : cases) {
+        if (fails(*one)) return {State::failing, ""};
+        const std::string missing = missing_in(*one);
+        if (missing == function.name) judgement = {State::not_written, ""};
+        else if (!missing.empty() && judgement.state == State::passed) judgement = {State::waiting, missing};
+    }
+    return judgement;
+}
+
+/// The case to look at first of a function that is at fault; null for any other.
+const CaseResult* first_to_see(const Function& function, State state, const std::vector<const CaseResult*>& cases) {
+    for (const CaseResult* one : cases)
+        if (state == State::failing ? fails(*one) : state == State::not_written && missing_in(*one) == function.name)
+            return one;
+    return nullptr;
 }
 
 }  // namespace
 
 Judgement judged(const Exercise& exercise, const TestRun& run) {
     Judgement judgement;
-    judgement.failed = static_cast<int>(std::count_if(run.cases.begin(), run.cases.end(),
-                                                      [](const CaseResult& one) { return one.failure.has_value(); }));
-    const CaseResult* waiting = nullptr;
-    for (const Function& function : exercise.functions) {
-        bool passed = false, failing = false, not_written = false, unknown = false;
-        const CaseResult* first = nullptr;  // the first that fails; one that is not just unwritten goes before
-        for (const CaseResult& one : run.cases) {
-            if (function_tested_by(exercise, one.name) != &function) continue;
-            const State said = said_by(one, function);
-            const bool worse = said == State::failing && !failing;
-            if (worse || (said == State::not_written && !first)) first = &one;
-            if (said == State::unknown && !waiting) waiting = &one;
-            passed |= said == State::passed;
-            failing |= said == State::failing;
-            not_written |= said == State::not_written;
-            unknown |= said == State::unknown;
-        }
-        judgement.functions.push_back(failing              ? State::failing
-                                      : not_written        ? State::not_written
-                                      : passed && !unknown ? State::passed
-                                                           : State::unknown);
-        if (first && !judgement.shown) {
-            judgement.shown = first;
-            judgement.function = &function;
-        }
+    for (const CaseResult& one : run.cases) {
+        judgement.failed += fails(one);
+        judgement.waiting += !missing_in(one).empty();
     }
-    if (!judgement.shown) judgement.shown = waiting;
+    for (const Function& function : exercise.functions) {
+        std::vector<const CaseResult*> cases;
+        for (const CaseResult& one : run.cases)
+            if (function_tested_by(exercise, one.name) == &function) cases.push_back(&one);
+        judgement.functions.push_back(judged(function, cases));
+        if (judgement.shown) continue;
+        judgement.shown = first_to_see(function, judgement.functions.back().state, cases);
+        if (judgement.shown) judgement.function = &function;
+    }
+    if (judgement.shown) return judgement;
+    // None is at fault by its own tests. What others wait for is the next to write; else a case that nobody claims.
+    for (const Function& function : exercise.functions)
+        for (const CaseResult& one : run.cases)
+            if (!judgement.shown && missing_in(one) == function.name) {
+                judgement.shown = &one;
+                judgement.function = &function;
+            }
     for (const CaseResult& one : run.cases)
-        if (one.failure && !judgement.shown) judgement.shown = &one;  // of a case that no function claims
+        if (!judgement.shown && one.failure) judgement.shown = &one;
     return judgement;
 }
 

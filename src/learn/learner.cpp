@@ -27,6 +27,21 @@ std::optional<FailingScene> scene_to_look_at(const Tested& tested) {
 
 }  // namespace
 
+State state_of(const Function& function, const LessonProgress& progress) {
+    const auto found = progress.functions.find(function.name);
+    return found == progress.functions.end() ? State::unknown : found->second;
+}
+
+const Function* open_function(const Exercise& exercise, const LessonProgress& progress) {
+    const Function* waiting = nullptr;
+    for (const Function& function : exercise.functions) {
+        const State state = state_of(function, progress);
+        if (state != State::passed && state != State::waiting) return &function;
+        if (state == State::waiting && !waiting) waiting = &function;
+    }
+    return waiting;
+}
+
 std::string fingerprint_of(const Workspace& workspace, const Exercise& exercise) {
     return fingerprint_of_headers(workspace.headers_of(exercise));
 }
@@ -81,7 +96,7 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
     if (!tested.run.error) {
         progress.functions.clear();
         for (std::size_t i = 0; i < exercise.functions.size(); ++i)
-            progress.functions[exercise.functions[i].name] = tested.judgement.functions[i];
+            progress.functions[exercise.functions[i].name] = tested.judgement.functions[i].state;
     }
     save();
     tested.took = std::chrono::steady_clock::now() - start;
@@ -90,12 +105,7 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
 
 const Function* Learner::next_function(const Exercise& exercise, const std::stop_token& stop) {
     if (!is_tested(exercise)) test(exercise, stop);
-    const LessonProgress& progress = remembered(exercise);
-    for (const Function& function : exercise.functions) {
-        const auto state = progress.functions.find(function.name);
-        if (state == progress.functions.end() || state->second != State::passed) return &function;
-    }
-    return nullptr;
+    return open_function(exercise, remembered(exercise));
 }
 
 int Learner::next_hint(const Exercise& exercise, const Function& function) {

@@ -48,7 +48,7 @@ public:
     Tested test(const Exercise& exercise, const std::stop_token& stop = {},
                 std::function<void(const TestRun&)> so_far = {});
 
-    /// The function that a hint would be for: the first that has not passed; null if all have.
+    /// The function that a hint would be for: open_function() of the headers as they are now; null if all have passed.
     const Function* next_function(const Exercise& exercise, const std::stop_token& stop = {});
 
     /// The next hint for a function, from 1 to 3; it is remembered. The last one stays the last.
@@ -69,6 +69,13 @@ private:
     Progress progress_;
     std::optional<Toolchain> tools_;
 };
+
+/// How a function stands, as it is remembered.
+State state_of(const Function& function, const LessonProgress& progress);
+
+/// The function to be written or mended next: the first that has not passed, before those that wait for another. Null
+/// if all have passed.
+const Function* open_function(const Exercise& exercise, const LessonProgress& progress);
 
 /// What the headers of a lesson are, so that a change is noticed.
 std::string fingerprint_of(const Workspace& workspace, const Exercise& exercise);

@@ -93,14 +93,16 @@ std::string pictures(const LessonStanding& lesson) {
     return html + "</div>\n";
 }
 
-std::string marked(State state) {
-    switch (state) {
+std::string marked(const FunctionStanding& function) {
+    switch (function.state) {
         case State::passed:
             return "<span class=\"good\">✓ passed</span>";
         case State::failing:
             return "<span class=\"bad\">✗ fails</span>";
         case State::not_written:
             return "<span class=\"faint\">· not written</span>";
+        case State::waiting:
+            return fmt::format("<span class=\"faint\">… waits for {}</span>", escaped(function.waits_for));
         default:
             return "<span class=\"faint\">– not reached</span>";
     }
@@ -110,6 +112,8 @@ std::string in_words(Verdict verdict) {
     switch (verdict) {
         case Verdict::passed:
             return "passed";
+        case Verdict::unfinished:
+            return "unfinished";
         case Verdict::failing:
             return "failing";
         case Verdict::does_not_compile:
@@ -120,15 +124,12 @@ std::string in_words(Verdict verdict) {
 }
 
 std::string marked(Verdict verdict) {
-    const bool good = verdict == Verdict::passed, begun = verdict != Verdict::not_begun;
-    return fmt::format("<span class=\"{}\">{} {}</span>",
-                       good    ? "good"
-                       : begun ? "bad"
-                               : "faint",
-                       good    ? "✓"
-                       : begun ? "✗"
-                               : "–",
-                       in_words(verdict));
+    const bool bad = verdict == Verdict::failing || verdict == Verdict::does_not_compile;
+    const auto [kind, mark] = verdict == Verdict::passed       ? std::pair("good", "✓")
+                              : bad                            ? std::pair("bad", "✗")
+                              : verdict == Verdict::unfinished ? std::pair("faint", "…")
+                                                               : std::pair("faint", "–");
+    return fmt::format("<span class=\"{}\">{} {}</span>", kind, mark, in_words(verdict));
 }
 
 int hints_of(const LessonStanding& lesson) {
@@ -145,14 +146,17 @@ std::string section(const LessonStanding& lesson) {
     std::string html =
         fmt::format("<h2>{}. {} {}</h2>\n", lesson.number, escaped(lesson.title), marked(lesson.verdict));
     if (lesson.verdict == Verdict::not_begun) return html;
-    html += fmt::format("<p>{} of {} functions, {} of {} tests; tested {}, {} shown{}.</p>\n", functions_passed(lesson),
-                        lesson.functions.size(), lesson.cases_passed, lesson.cases,
+    html += fmt::format("<p>{} of {} functions, {} of {} tests{}; tested {}, {} shown{}.</p>\n",
+                        functions_passed(lesson), lesson.functions.size(), lesson.cases_passed, lesson.cases,
+                        lesson.cases_waiting > 0 ? fmt::format(" ({} for a function to be written)",
+                                                               counted(lesson.cases_waiting, "waits", "wait"))
+                                                 : "",
                         counted(lesson.runs, "time", "times"), counted(hints_of(lesson), "hint", "hints"),
                         lesson.gave_up ? "; <b>gave up</b>: the solution was shown before the tests passed" : "");
     html += "<table><tr><th>function</th><th>in</th><th>tests</th><th>hints</th></tr>\n";
-    for (const auto& [name, header, state, hints] : lesson.functions)
-        html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(name), escaped(header),
-                            marked(state), hints);
+    for (const FunctionStanding& function : lesson.functions)
+        html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(function.name),
+                            escaped(function.header), marked(function), function.hints);
     html += "</table>\n";
     if (!lesson.wrong.empty())
         html += fmt::format("<h3>What is wrong first</h3>\n<pre>{}</pre>\n", escaped(lesson.wrong));
@@ -254,14 +258,17 @@ std::string to_table(const std::vector<LearnerStanding>& learners) {
 
 std::string to_csv(const std::vector<LearnerStanding>& learners) {
     std::string text =
-        "learner,lesson,verdict,functions_passed,functions,tests_passed,tests,pixels_differing,hints,runs,gave_up\n";
+        "learner,lesson,verdict,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,"
+        "runs,"
+        "gave_up\n";
     for (const auto& learner : learners) {
         for (const auto& lesson : learner.lessons) {
             const auto differing = pixels_differing(lesson);
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(learner.learner), lesson.number,
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", field(learner.learner), lesson.number,
                                 in_words(lesson.verdict), functions_passed(lesson), lesson.functions.size(),
-                                lesson.cases_passed, lesson.cases, differing ? fmt::to_string(*differing) : "",
-                                hints_of(lesson), lesson.runs, lesson.gave_up ? "yes" : "no");
+                                lesson.cases_passed, lesson.cases_waiting, lesson.cases,
+                                differing ? fmt::to_string(*differing) : "", hints_of(lesson), lesson.runs,
+                                lesson.gave_up ? "yes" : "no");
         }
     }
     return text;

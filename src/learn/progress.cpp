@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int version = 1;
-constexpr NameTable<State, 4> states{{{"unknown", State::unknown, ""},
+constexpr NameTable<State, 5> states{{{"unknown", State::unknown, ""},
                                       {"not written", State::not_written, ""},
+                                      {"waiting", State::waiting, ""},
                                       {"failing", State::failing, ""},
                                       {"passed", State::passed, ""}}};
 

@@ -5,8 +5,8 @@
 
 namespace glassbox::learn {
 
-/// How far a function has come, as of the last test.
-enum class State { unknown, not_written, failing, passed };
+/// How far a function has come, as of the last test. Waiting: it calls another function that is not written yet.
+enum class State { unknown, not_written, waiting, failing, passed };
 
 /// What is remembered of a lesson.
 struct LessonProgress {

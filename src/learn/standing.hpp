@@ -12,11 +12,12 @@ namespace glassbox::learn {
 struct FunctionStanding {
     std::string name, header = {};
     State state = State::unknown;
-    int hints = 0;  ///< how many were shown
+    int hints = 0;               ///< how many were shown
+    std::string waits_for = {};  ///< the function that it waits for, if it waits
 };
 
-/// What became of a lesson's tests.
-enum class Verdict { not_begun, does_not_compile, failing, passed };
+/// What became of a lesson's tests. Unfinished: nothing fails, but something is not written yet.
+enum class Verdict { not_begun, does_not_compile, failing, unfinished, passed };
 
 /// How a learner stands in a lesson, as a teacher wants to know it.
 struct LessonStanding {
@@ -25,6 +26,7 @@ struct LessonStanding {
     Verdict verdict = Verdict::not_begun;
     std::vector<FunctionStanding> functions = {};
     int cases = 0, cases_passed = 0;  ///< of the tests that ran, one for each scalar
+    int cases_waiting = 0;            ///< those that cannot be run until a function is written
     int runs = 0;                     ///< how often the learner had them tested
     bool gave_up = false;             ///< the solution was shown before they passed
     std::string wrong = {};           ///< the first thing that is wrong, in lines; "" if nothing is

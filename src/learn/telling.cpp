@@ -19,6 +19,8 @@ std::string mark(State state, const Paint& paint) {
             return paint.good("✓");
         case State::failing:
             return paint.bad("✗");
+        case State::waiting:
+            return paint.faint("…");
         default:
             return paint.faint("·");
     }
@@ -28,12 +30,19 @@ std::string plural(std::size_t count, std::string_view thing) {
     return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-/// "✓ nearest  ✗ intersect  · normal".
-std::string functions_line(const Exercise& exercise, const std::vector<State>& states, const Paint& paint) {
+/// "✓ nearest  · Textbook  … intersect, Stable wait for `Textbook`".
+std::string functions_line(const Exercise& exercise, const std::vector<FunctionJudgement>& functions,
+                           const Paint& paint) {
     std::string line;
-    for (std::size_t i = 0; i < exercise.functions.size(); ++i)
-        line += fmt::format("{}{} {}", i == 0 ? "" : "  ", mark(i < states.size() ? states[i] : State::unknown, paint),
-                            exercise.functions[i].name);
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        const auto& [state, waits_for] = functions[i];
+        line += fmt::format("{}{} {}", i == 0 ? "" : "  ", mark(state, paint), exercise.functions[i].name);
+        if (waits_for.empty()) continue;
+        const std::size_t first = i;
+        for (; i + 1 < functions.size() && functions[i + 1].waits_for == waits_for; ++i)
+            line += ", " + exercise.functions[i + 1].name;
+        line += paint.faint(fmt::format(" {} for `{}`", i == first ? "waits" : "wait", waits_for));
+    }
     return line;
 }
 
@@ -111,13 +120,10 @@ std::string failure_text(const Workspace& workspace, const CaseResult& one, cons
 }
 
 /// What is remembered of each function of a lesson.
-std::vector<State> states_of(const Exercise& exercise, const LessonProgress& progress) {
-    std::vector<State> states;
-    for (const Function& function : exercise.functions) {
-        const auto found = progress.functions.find(function.name);
-        states.push_back(found == progress.functions.end() ? State::unknown : found->second);
-    }
-    return states;
+std::vector<FunctionJudgement> remembered(const Exercise& exercise, const LessonProgress& progress) {
+    std::vector<FunctionJudgement> functions;
+    for (const Function& function : exercise.functions) functions.push_back({state_of(function, progress), ""});
+    return functions;
 }
 
 std::string bar(std::size_t done, std::size_t all, const Paint& paint) {
@@ -185,18 +191,19 @@ std::string status_text(Learner& learner, const Paint& paint) {
     std::string text = fmt::format("{}, in {}\n\n", paint.strong("Your lessons"), shown(workspace.folder));
     for (const Exercise& exercise : workspace.exercises) {
         const LessonProgress& progress = learner.progress(exercise);
-        const std::vector<State> states = states_of(exercise, progress);
-        const auto done = static_cast<std::size_t>(std::count(states.begin(), states.end(), State::passed));
+        const std::vector<FunctionJudgement> functions = remembered(exercise, progress);
+        const auto done =
+            static_cast<std::size_t>(std::ranges::count(functions, State::passed, &FunctionJudgement::state));
         std::string words =
-            progress.passed ? "passed" : fmt::format("{} of {}", done, plural(states.size(), "function"));
+            progress.passed ? "passed" : fmt::format("{} of {}", done, plural(functions.size(), "function"));
         if (progress.gave_up) words += ", the solution was shown";
         int hints = 0;
         for (const auto& [function, count] : progress.hints) hints += count;
         if (hints > 0) words += ", " + plural(static_cast<std::size_t>(hints), "hint");
         text += fmt::format("  {} {:<10} {}  {}\n", exercise.number, exercise.title,
-                            bar(progress.passed ? states.size() : done, states.size(), paint), words);
+                            bar(progress.passed ? functions.size() : done, functions.size(), paint), words);
         if (&exercise == &present && !progress.passed)
-            text += fmt::format("               {}\n", functions_line(exercise, states, paint));
+            text += fmt::format("               {}\n", functions_line(exercise, functions, paint));
     }
     const LessonProgress& progress = learner.progress(present);
     if (progress.passed)
@@ -204,13 +211,9 @@ std::string status_text(Learner& learner, const Paint& paint) {
                                   command_line(workspace, fmt::format("picture {} -o picture.png", present.number)));
     text += fmt::format("\nLesson {}, {}: {}\n", present.number, present.title, present.sentence);
     text += fmt::format("  read    {}\n", shown(present.lesson / "README.md"));
-    const std::vector<State> states = states_of(present, progress);
-    const auto open = std::find_if(states.begin(), states.end(), [](State state) { return state != State::passed; });
-    if (open != states.end()) {
-        const Function& function = present.functions[static_cast<std::size_t>(open - states.begin())];
-        text += fmt::format("  {:<7} {} in {}\n", *open == State::failing ? "mend" : "write", function.name,
-                            place_of(workspace, present, function));
-    }
+    if (const Function* next = open_function(present, progress))
+        text += fmt::format("  {:<7} {} in {}\n", state_of(*next, progress) == State::failing ? "mend" : "write",
+                            next->name, place_of(workspace, present, *next));
     text +=
         fmt::format("  then    {}{}\n", command_line(workspace, fmt::format("test {}", present.number)),
                     progress.runs > 0 && !learner.is_tested(present) ? "   (it has changed since it was tested)" : "");
@@ -234,9 +237,12 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
         function ? fmt::format("{} in {}", paint.strong(function->name), place_of(workspace, exercise, *function))
                  : "this is not as it should be");
     text += failure_text(workspace, *one, paint);
-    const int others = judgement.failed - 1;
-    if (others > 0)
-        text += fmt::format("  {}\n", paint.faint(fmt::format("{} more fail, or wait for this one", others)));
+    std::vector<std::string> others;
+    if (judgement.failed > 1) others.push_back(fmt::format("{} more fail", judgement.failed - 1));
+    if (judgement.waiting > 0)
+        others.push_back(fmt::format("{} {} for a function to be written", judgement.waiting,
+                                     judgement.waiting == 1 ? "waits" : "wait"));
+    if (!others.empty()) text += fmt::format("  {}\n", paint.faint(joined(others)));
     return text;
 }
 

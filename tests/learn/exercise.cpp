@@ -8,6 +8,8 @@
 
 #include "learn/detective.hpp"
 #include "learn/failing_scene.hpp"
+#include "learn/judgement.hpp"
+#include "learn/learner.hpp"
 #include "learn/progress.hpp"
 #include "learn/report.hpp"
 #include "learn/watch.hpp"
@@ -130,6 +132,42 @@ TEST_CASE("a run looks like the mistake that shares most: all that it fails must
     CHECK(looks_like(run, known) == "large");  // as "small" does it, too: the first by name
     run.cases = {not_written("one", "f"), not_written("two", "g"), {"three"}};
     CHECK(looks_like(run, known) == "");
+}
+
+TEST_CASE("a function that calls one that is not written waits for it, and has not failed") {
+    Exercise exercise;
+    exercise.functions = {{"roots", "", {"roots:"}, {}}, {"meet", "", {"meet:"}, {}}, {"normal", "", {"normal:"}, {}}};
+    TestRun run;
+    run.cases = {
+        not_written("roots: two", "roots"), {"meet: none"}, not_written("meet: ahead", "roots"), {"normal: up"}};
+    Judgement judgement = judged(exercise, run);
+    CHECK(judgement.functions[0].state == State::not_written);
+    CHECK(judgement.functions[1].state == State::waiting);
+    CHECK(judgement.functions[1].waits_for == "roots");
+    CHECK(judgement.functions[2].state == State::passed);
+    CHECK(judgement.failed == 0);
+    CHECK(judgement.waiting == 2);
+    CHECK(judgement.function == &exercise.functions[0]);
+
+    // what fails by itself has failed, whatever else waits
+    run.cases[1] = failing("meet: none", "t", "3");
+    judgement = judged(exercise, run);
+    CHECK(judgement.functions[1].state == State::failing);
+    CHECK(judgement.failed == 1);
+
+    // a function that none of its own tests misses is the next to write where others wait for it
+    run.cases = {{"roots: two"}, not_written("meet: ahead", "normal"), {"normal: up"}};
+    judgement = judged(exercise, run);
+    CHECK(judgement.function == &exercise.functions[2]);
+    CHECK(judgement.shown == &run.cases[1]);
+
+    LessonProgress progress;
+    progress.functions = {{"roots", State::passed}, {"meet", State::waiting}, {"normal", State::not_written}};
+    CHECK(open_function(exercise, progress) == &exercise.functions[2]);
+    progress.functions["normal"] = State::passed;
+    CHECK(open_function(exercise, progress) == &exercise.functions[1]);
+    progress.functions["meet"] = State::passed;
+    CHECK(open_function(exercise, progress) == nullptr);
 }
 
 TEST_CASE("traces are written a line each, and read again") {

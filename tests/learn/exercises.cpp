@@ -107,7 +107,7 @@ TEST_CASE("the starter compiles, and fails with the names of its own functions")
     CHECK(std::includes(functions.begin(), functions.end(), missing.begin(), missing.end()));
     const Judgement judgement = judged(exercise, run);
     for (std::size_t i = 0; i < exercise.functions.size(); ++i)
-        CHECK_MESSAGE(judgement.functions[i] != State::passed, exercise.functions[i].name);
+        CHECK_MESSAGE(judgement.functions[i].state != State::passed, exercise.functions[i].name);
     REQUIRE(judgement.function);
     CHECK(judgement.function == exercise.functions.data());  // the first to be written is the first to be told of
 }
@@ -126,7 +126,7 @@ TEST_CASE("the solution passes, in every scalar, and each function has its tests
     CHECK(run.scalars.size() == (in_every ? 3 : 1));
     const Judgement judgement = judged(exercise, run);
     for (std::size_t i = 0; i < exercise.functions.size(); ++i)
-        CHECK_MESSAGE(judgement.functions[i] == State::passed, exercise.functions[i].name);
+        CHECK_MESSAGE(judgement.functions[i].state == State::passed, exercise.functions[i].name);
     for (const Function& function : exercise.functions)
         for (const std::string& part : function.tests)
             CHECK_MESSAGE(std::any_of(run.cases.begin(), run.cases.end(),

@@ -21,6 +21,7 @@ std::vector<LearnerStanding> two_learners() {
     failing.functions = {{"nearest", "crossing.hpp", State::passed, 0}, {"normal", "sphere.hpp", State::failing, 1}};
     failing.cases = 10;
     failing.cases_passed = 7;
+    failing.cases_waiting = 1;
     failing.wrong = "a < b && \"c\"";
     failing.mistake = "the normal points inwards";
     failing.ours = Image(2, 2);
@@ -49,10 +50,10 @@ TEST_CASE("a table has a row for each learner and a column for each lesson, in l
 TEST_CASE("in CSV commas and quotes of a name are quoted") {
     const std::string csv = to_csv(two_learners());
     // of 2 x 2 pixels one is red where ours is black
-    CHECK(csv.find("\nAda,1,passed,1,1,3,3,0,2,4,no\n") != std::string::npos);
-    CHECK(csv.find("\nAda,2,failing,1,2,7,10,1,1,0,no\n") != std::string::npos);
-    CHECK(csv.find("\n\"Bo, \"\"the\"\" <second>\",1,passed,1,1,3,3,0,2,4,yes\n") != std::string::npos);
-    CHECK(csv.find(",2,does not compile,1,2,0,0,,1,0,no\n") != std::string::npos);
+    CHECK(csv.find("\nAda,1,passed,1,1,3,0,3,0,2,4,no\n") != std::string::npos);
+    CHECK(csv.find("\nAda,2,failing,1,2,7,1,10,1,1,0,no\n") != std::string::npos);
+    CHECK(csv.find("\n\"Bo, \"\"the\"\" <second>\",1,passed,1,1,3,0,3,0,2,4,yes\n") != std::string::npos);
+    CHECK(csv.find(",2,does not compile,1,2,0,0,0,,1,0,no\n") != std::string::npos);
 }
 
 TEST_CASE("a page shows names, code and messages as text, never as HTML") {
@@ -67,6 +68,21 @@ TEST_CASE("a page says how far pictures differ, and why one is missing") {
     CHECK(html.find("no pixel differs") != std::string::npos);
     CHECK(html.find("1 of 4 pixels differ, 25.0 % (orange)") != std::string::npos);
     CHECK(html.find("No picture: it does not compile.") != std::string::npos);
+}
+
+TEST_CASE("what waits for a function to be written has not failed") {
+    LessonStanding lesson{.number = 2, .title = "Spheres", .verdict = Verdict::unfinished};
+    lesson.functions = {{"Textbook", "sphere.hpp", State::not_written}, {"intersect", "sphere.hpp", State::waiting}};
+    lesson.functions[1].waits_for = "Textbook<>";
+    lesson.cases = 5;
+    lesson.cases_passed = 2;
+    lesson.cases_waiting = 3;
+    const std::string html = to_html({{"Ada", {lesson}}});
+    CHECK(html.find("2 of 5 tests (3 wait for a function to be written)") != std::string::npos);
+    CHECK(html.find("… waits for Textbook&lt;&gt;") != std::string::npos);
+    CHECK(html.find("… unfinished") != std::string::npos);
+    CHECK(html.find("✗") == std::string::npos);
+    CHECK(to_csv({{"Ada", {lesson}}}).ends_with("Ada,2,unfinished,0,2,2,3,5,,0,0,no\n"));
 }
 
 TEST_CASE("a page asks nothing of any other file or host") {
