@@ -141,6 +141,40 @@ std::string first_line_with(const std::string& text, std::string_view part) {
     return "";
 }
 
+bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
+
+/// How far an operand reaches that begins at the front of a text, such as "ray.D", "(a + b)" or "dot(a, b)". Backwards
+/// it is the operand at the end of a text, read from its end on.
+std::size_t length_of_operand(std::string_view text, bool backwards) {
+    const auto at = [&](std::size_t i) { return text[backwards ? text.size() - 1 - i : i]; };
+    const char open = backwards ? ')' : '(', close = backwards ? '(' : ')';
+    std::size_t end = 0;
+    for (int depth = 0; end < text.size(); ++end) {
+        if (at(end) == open) ++depth;
+        else if (at(end) == close && --depth < 0) break;
+        else if (depth == 0 && at(end) != close && !in_a_name(at(end))) break;
+    }
+    return end;
+}
+
+/// The operation whose operator stands where the error is.
+Operation operation_at(const CompileError& error) {
+    Operation operation;
+    const std::size_t at = error.place.column - 1;
+    const std::string_view source = error.source;
+    if (error.place.column == 0 || at >= source.size() ||
+        std::string_view("+-*/").find(source[at]) == std::string_view::npos)
+        return operation;
+    operation.sign = source[at];
+    std::string_view left = source.substr(0, at), right = source.substr(at + 1);
+    left = left.substr(0, left.find_last_not_of(' ') + 1);
+    right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
+    const std::size_t before = length_of_operand(left, true), after = length_of_operand(right, false);
+    if (before > 0) operation.left = left.substr(left.size() - before);
+    if (after > 0) operation.right = right.substr(0, after);
+    return operation;
+}
+
 /// The words for a name that is not known, if one that is nearly the same stands in the file.
 std::string suggested(const CompileError& error) {
     for (const std::string_view opening : {"use of undeclared identifier '", "there are no arguments to '", "'"}) {
@@ -230,7 +264,7 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const fs::
     error.message = chosen->error.rest;
     error.plain = suggested(error);
     if (error.plain.empty()) error.plain = of_a_later_lesson(error, folder);
-    if (error.plain.empty()) error.plain = in_plain_words(error.message);
+    if (error.plain.empty()) error.plain = in_plain_words(error.message, operation_at(error));
     if (!error.yours && error.plain.empty())
         error.plain =
             "The tests cannot use your headers as they are: has each function the name, the parameters and the result "

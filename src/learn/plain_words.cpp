@@ -52,9 +52,16 @@ std::string without_aliases(std::string_view message) {
     return text;
 }
 
+/// clang++ does not name the operator that is missing, and g++ does: clang++'s message as g++ has it.
+std::string with_operator(std::string message, const std::string& sign) {
+    constexpr std::string_view nameless = "invalid operands to binary expression (";
+    if (sign.empty() || !message.starts_with(nameless)) return message;
+    return fmt::format("no match for 'operator{}' (operand types are {}", sign, message.substr(nameless.size()));
+}
+
 struct Meaning {
     std::string_view pattern;  ///< of a message, % standing for anything
-    std::string_view plain;    ///< {1}, {2} … are what the % stood for
+    std::string_view plain;    ///< {1}, {2} … are what the % stood for, {left} and {right} the operation's
 };
 
 // The first that matches speaks. Those of g++ and clang++ stand together.
@@ -91,6 +98,12 @@ constexpr std::array meanings{
         "'%' does not name a type%",
         "No type is called {1} here: is it spelt right? Or is one } too many further up, so that a function ends too "
         "early?"},
+    Meaning{
+        "no match for 'operator*' (operand types are '%Vec3<%>' and '%Vec3<%>')%",
+        "There is no vector * vector here; do you mean dot({left}, {right}), a number, or cross({left}, {right}), a "
+        "vector?"},
+    Meaning{"no match for 'operator*' (operand types are '%Vec3<%>' and '%')%",
+            "There is no vector * number here; write the number first: {right} * {left}."},
     Meaning{"no match for 'operator%' (operand types are '%' and '%')%",
             "There is no {1} between {2} and {3}. What there is: Vec3 + Vec3, Vec3 - Vec3, number * Vec3 (the number "
             "first), Vec3 / number, and dot and cross for two vectors."},
@@ -106,10 +119,14 @@ constexpr std::array meanings{
     Meaning{"too few arguments%", "The function takes more than it is given here: compare with its declaration."},
     Meaning{"too many arguments%", "The function takes less than it is given here: compare with its declaration."},
     Meaning{"no return statement%", "The function promises a result, but comes to its end without 'return'."},
+    Meaning{"non-void function does not return a value in all control paths%",
+            "On some way through the function there is no 'return': what if the condition is false, or no case of the "
+            "switch fits? Write a return at the end, or 'default:' for the last case."},
     Meaning{"non-void function does not return a value%",
             "The function promises a result, but comes to its end without 'return'."},
     Meaning{"control reaches end of non-void function%",
-            "On some way through the function there is no 'return': what if the condition is false?"},
+            "On some way through the function there is no 'return': what if the condition is false, or no case of the "
+            "switch fits? Write a return at the end, or 'default:' for the last case."},
     Meaning{
         "void function '%' should not return a value%",
         "This function is declared to give nothing (void), but returns something: what is its result in the starter?"},
@@ -197,14 +214,16 @@ constexpr std::array meanings{
 
 }  // namespace
 
-std::string in_plain_words(std::string_view message) {
-    const std::string text = without_aliases(message);
+std::string in_plain_words(std::string_view message, const Operation& operation) {
+    const std::string text = with_operator(without_aliases(message), operation.sign);
     for (const Meaning& meaning : meanings) {
         const auto taken = matched(text, meaning.pattern);
         if (!taken) continue;
         std::string plain(meaning.plain);
         for (std::size_t i = 0; i < taken->size(); ++i)
             replace_all(plain, fmt::format("{{{}}}", i + 1), simple((*taken)[i]));
+        replace_all(plain, "{left}", operation.left);
+        replace_all(plain, "{right}", operation.right);
         return plain;
     }
     return "";

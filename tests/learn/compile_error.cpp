@@ -2,6 +2,7 @@
 #include "learn/compile_error.hpp"
 
 #include <doctest.h>
+#include <fmt/format.h>
 
 #include <fstream>
 
@@ -52,13 +53,16 @@ TEST_CASE("g++ and clang++ are told in the same plain words") {
              Case{"'c' was not declared in this scope", "use of undeclared identifier 'c'", "Nothing is called c here"},
              Case{"'Reel' was not declared in this scope; did you mean 'Real'?",
                   "unknown type name 'Reel'; did you mean 'Real'?", "called Reel here; did you mean Real?"},
-             Case{"no match for 'operator*' (operand types are 'const glassbox::Vec3<double>' and 'double')",
+             Case{"no match for 'operator+' (operand types are 'const glassbox::Vec3<double>' and 'double')",
                   "invalid operands to binary expression ('const Vec3<double>' and 'double')",
                   "between Vec3<double> and double. What there is"},
              Case{"no matching function for call to 'dot(const glassbox::Vec3<double>&)'",
                   "no matching function for call to 'dot'", "There is a function dot, but it does not take"},
              Case{"no return statement in function returning non-void [-Werror=return-type]",
                   "non-void function does not return a value [-Werror,-Wreturn-type]", "without 'return'"},
+             Case{"control reaches end of non-void function [-Werror=return-type]",
+                  "non-void function does not return a value in all control paths [-Werror,-Wreturn-type]",
+                  "no case of the switch fits? Write a return at the end"},
              Case{"cannot convert 'const glassbox::Vec3<double>' to 'double' in return",
                   "no viable conversion from returned value of type 'const Vec3<double>' to function return type "
                   "'double'",
@@ -95,6 +99,33 @@ TEST_CASE("g++ and clang++ are told in the same plain words") {
     }
     CHECK(in_plain_words("something that no compiler has ever said") == "");
     CHECK(in_plain_words("") == "");
+}
+
+TEST_CASE("a vector times a number is told with the learner's own operands, the number first") {
+    struct Case {
+        const char *line, *words;
+    };
+    for (const Case& one : {Case{"    return ray.P + ray.D * t;", "write the number first: t * ray.D."},
+                            Case{"    return (a + b) * dot(a, b);", "write the number first: dot(a, b) * (a + b)."},
+                            Case{"    return at(ray, 2)*2;", "write the number first: 2 * at(ray, 2)."}}) {
+        const Project project;
+        std::ofstream(project.mine / "1-rays" / "vec3.hpp") << "#pragma once\n" << one.line << '\n';
+        // both compilers point at the operator; only g++ says which it is
+        const std::string place = fmt::format("my/1-rays/vec3.hpp:2:{}: error: ", std::string(one.line).rfind('*') + 1);
+        CHECK(project
+                  .error(place + "no match for 'operator*' (operand types are 'const glassbox::Vec3<double>' and "
+                                 "'const std::type_identity_t<double>' {aka 'const double'})\n")
+                  .plain == std::string("There is no vector * number here; ") + one.words);
+        CHECK(project.error(place + "invalid operands to binary expression ('const Vec3<double>' and 'double')\n")
+                  .plain == std::string("There is no vector * number here; ") + one.words);
+    }
+    CHECK(in_plain_words("no match for 'operator*' (operand types are 'Vec3<float>' and 'int')") ==
+          "There is no vector * number here; write the number first: number * vector.");
+    CHECK(in_plain_words("no match for 'operator*' (operand types are 'Vec3<float>' and 'Vec3<float>')",
+                         {"ray.D", "*", "n"}) ==
+          "There is no vector * vector here; do you mean dot(ray.D, n), a number, or cross(ray.D, n), a vector?");
+    CHECK(in_plain_words("no match for 'operator*' (operand types are 'Rotation<float>' and 'float')")
+              .starts_with("There is no * between Rotation<float> and float."));
 }
 
 TEST_CASE("a name that g++ gives and then explains is the explained one") {
