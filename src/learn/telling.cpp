@@ -91,13 +91,6 @@ std::string place_of(const Workspace& workspace, const Exercise& exercise, const
     return call == 0 ? shown(path) : fmt::format("{}:{}", shown(path), call);
 }
 
-std::string ulps_text(const std::string& ulps) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(ulps.data(), ulps.data() + ulps.size(), number);
-    if (ulps.empty() || error != std::errc{} || !(number < 1e300)) return "";
-    return fmt::format("{:.3g} ulps (units in the last place)", number);
-}
-
 std::string failure_text(const Workspace& workspace, const CaseResult& one, const Paint& paint) {
     const Failure& failure = *one.failure;
     const auto [name, scalar] = name_and_scalar(one.name);
@@ -109,7 +102,7 @@ std::string failure_text(const Workspace& workspace, const CaseResult& one, cons
     if (!failure.threw.empty())
         text += row("threw", failure.threw + (too_much ? ": it asked for more memory than it may have" : ""), paint);
     if (!failure.died.empty()) text += row("died", failure.died, paint);
-    text += row("off by", ulps_text(failure.ulps), paint);
+    text += row("off by", ulps_text(failure), paint);
     std::vector<std::string> with = failure.subcases;
     with.insert(with.end(), failure.contexts.begin(), failure.contexts.end());
     text += row("with", joined(with), paint);
@@ -156,6 +149,15 @@ std::string passed_text(Learner& learner, const Exercise& exercise, const Tested
 
 std::string Paint::set(std::string_view code, std::string_view text) const {
     return colours && !text.empty() ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+}
+
+std::string ulps_text(const Failure& failure) {
+    constexpr double most = 1e6;
+    double ulps = 0;
+    const auto [end, error] = std::from_chars(failure.ulps.data(), failure.ulps.data() + failure.ulps.size(), ulps);
+    const bool same_sign = failure.expected.starts_with('-') == failure.got.starts_with('-');
+    if (failure.ulps.empty() || error != std::errc{} || !(ulps < most) || !same_sign) return "";
+    return fmt::format("{:.3g} ulps (units in the last place)", ulps);
 }
 
 std::string error_text(const CompileError& error, const Paint& paint) {

@@ -35,6 +35,10 @@ std::string so_far_text(const Exercise& exercise, const TestRun& run, const Pain
 /// What came of a test, and of what is wrong one thing only.
 std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint);
 
+/// How far what a test got is from what it expected, in ulps, where that tells of rounding; "" where another number
+/// came out: one of another sign, or a million ulps and more away.
+std::string ulps_text(const Failure& failure);
+
 /// What is wrong with a program that does not compile.
 std::string error_text(const CompileError& error, const Paint& paint);
 

@@ -12,6 +12,7 @@
 #include "learn/learner.hpp"
 #include "learn/progress.hpp"
 #include "learn/report.hpp"
+#include "learn/telling.hpp"
 #include "learn/watch.hpp"
 #include "learn/workspace.hpp"
 #include "output/folder.hpp"
@@ -168,6 +169,23 @@ TEST_CASE("a function that calls one that is not written waits for it, and has n
     CHECK(open_function(exercise, progress) == &exercise.functions[1]);
     progress.functions["meet"] = State::passed;
     CHECK(open_function(exercise, progress) == nullptr);
+}
+
+TEST_CASE("ulps are told of a number that is nearly right, and of no other") {
+    const auto told = [](const char* expected, const char* got, const char* ulps) {
+        Failure failure;
+        failure.expected = expected;
+        failure.got = got;
+        failure.ulps = ulps;
+        return ulps_text(failure);
+    };
+    CHECK(told("1 (0x1p+0)", "1.0000000000000007 (0x1.0000000000003p+0)", "3.000000") ==
+          "3 ulps (units in the last place)");
+    CHECK(told("-1", "-1.0000000000000002", "1.000000") == "1 ulps (units in the last place)");
+    CHECK(told("5", "7", "2251799813685248.000000") == "");
+    CHECK(told("5e-324", "-5e-324", "2.000000") == "");
+    CHECK(told("1", "nan", "inf") == "");
+    CHECK(told("true", "false", "") == "");
 }
 
 TEST_CASE("traces are written a line each, and read again") {
