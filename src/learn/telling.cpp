@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 
 #include "explain/shell_word.hpp"
+#include "learn/function_line.hpp"
+#include "learn/headers.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -71,24 +72,12 @@ std::pair<std::string, std::string> name_and_scalar(const std::string& name) {
 
 std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ", ")); }
 
-/// "my/1-rays/vec3.hpp:57", the line being where the function begins, as far as it can be found by its name.
+/// "my/1-rays/vec3.hpp:57", the line being where the function begins, as far as it can be found.
 std::string place_of(const Workspace& workspace, const Exercise& exercise, const Function& function) {
     const fs::path path = workspace.header(exercise, function.header);
-    std::error_code none;
-    if (!fs::is_regular_file(path, none)) return shown(path);
-    std::ifstream in(path);
-    int number = 0, call = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        const std::size_t code = std::min(line.find_first_not_of(' '), line.size());
-        if (line.compare(code, 2, "//") == 0) continue;
-        if (line.find("not_written<") != std::string::npos && line.find('"' + function.name + '"') != std::string::npos)
-            return fmt::format("{}:{}", shown(path), number);
-        const bool begins = line.find(' ' + function.name + '(') != std::string::npos ||
-                            line.find("struct " + function.name) != std::string::npos;
-        if (begins && call == 0 && line.find("return") == std::string::npos) call = number;
-    }
-    return call == 0 ? shown(path) : fmt::format("{}:{}", shown(path), call);
+    const std::size_t line =
+        line_of_function(content_of(path), content_of(exercise.starter(function.header)), function.name);
+    return line == 0 ? shown(path) : fmt::format("{}:{}", shown(path), line);
 }
 
 std::string failure_text(const Workspace& workspace, const CaseResult& one, const Paint& paint) {

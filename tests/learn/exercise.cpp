@@ -8,6 +8,7 @@
 
 #include "learn/detective.hpp"
 #include "learn/failing_scene.hpp"
+#include "learn/function_line.hpp"
 #include "learn/judgement.hpp"
 #include "learn/learner.hpp"
 #include "learn/progress.hpp"
@@ -169,6 +170,49 @@ TEST_CASE("a function that calls one that is not written waits for it, and has n
     CHECK(open_function(exercise, progress) == &exercise.functions[1]);
     progress.functions["meet"] = State::passed;
     CHECK(open_function(exercise, progress) == nullptr);
+}
+
+TEST_CASE("a function is found by what its starter declares, though its name need not stand there") {
+    const std::string starter =
+        "struct Near {\n"
+        "    Real operator()(Real a) const {\n"
+        "        return not_written<Real>(\"Near\");\n"
+        "    }\n"
+        "};\n"
+        "struct Far {\n"
+        "    Real operator()(Real a) const {\n"
+        "        const auto given = [&] { return a; };\n"
+        "        return not_written<Real>(\"Far\");\n"
+        "    }\n"
+        "};\n"
+        "\n"
+        "/// The sum.\n"
+        "template <class Real>\n"
+        "Bounded operator+(Bounded a,\n"
+        "                  Bounded b) {\n"
+        "    // return not_written<Bounded>(\"Bounded + Bounded\");\n"
+        "    return not_written<Bounded>(\"Bounded + Bounded\");\n"
+        "}\n";
+    CHECK(line_of_function(starter, starter, "Near") == 3);
+    CHECK(line_of_function(starter, starter, "Far") == 9);
+    CHECK(line_of_function(starter, starter, "Bounded + Bounded") == 18);
+    CHECK(line_of_function(starter, starter, "Bounded") == 0);
+
+    std::string written = "// mine\n" + starter;
+    while (written.find("return not_written<") != std::string::npos)
+        written = replaced(written, "return not_written<", "return the<");
+    CHECK(line_of_function(written, starter, "Near") == 3);  // a line further down than in the starter
+    CHECK(line_of_function(written, starter, "Far") == 8);
+    CHECK(line_of_function(written, starter, "Bounded + Bounded") == 16);
+    // however the declaration was changed, and whatever is called
+    const std::string changed =
+        replaced(written, "    Real operator()(Real a) const", "constexpr auto operator()(auto b)");
+    CHECK(line_of_function(changed, starter, "Near") == 3);
+    CHECK(line_of_function(changed, starter, "Far") == 8);
+    CHECK(line_of_function("Real x = operator+(a, b);\nreturn operator+(a, b);\nReal operator+(Real a) {\n", starter,
+                           "Bounded + Bounded") == 3);
+    CHECK(line_of_function("", starter, "Near") == 0);
+    CHECK(line_of_function(written, "", "Near") == 0);
 }
 
 TEST_CASE("ulps are told of a number that is nearly right, and of no other") {

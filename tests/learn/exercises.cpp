@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "learn/detective.hpp"
+#include "learn/function_line.hpp"
 #include "learn/judgement.hpp"
 #include "learn/learner.hpp"
 #include "output/folder.hpp"
@@ -86,6 +87,23 @@ TEST_CASE("the starter is the solution, but for what is to be written") {
         CHECK(read_text(exercise.starter(function.header)).find('"' + function.name + '"') != std::string::npos);
     }
     CHECK(asked_for == functions);
+}
+
+TEST_CASE("each function is found in the starter and, where it is written, in the solution") {
+    const Workspace all = workspace();
+    const Exercise& exercise = exercise_called(all, lesson);
+    std::set<std::pair<std::string, std::size_t>> begins;
+    for (const Function& function : exercise.functions) {
+        CAPTURE(function.name);
+        const std::string starter = read_text(exercise.starter(function.header));
+        const std::string solution = read_text(all.solution(exercise, function.header));
+        const std::size_t to_write = line_of_function(starter, starter, function.name);
+        REQUIRE(to_write > 0);
+        CHECK(lines_of(starter)[to_write - 1].find('"' + function.name + '"') != std::string::npos);
+        const std::size_t begin = line_of_function(solution, starter, function.name);
+        CHECK(begin > 0);
+        CHECK_MESSAGE(begins.emplace(function.header, begin).second, "another function begins there, too");
+    }
 }
 
 TEST_CASE("the starter compiles, and fails with the names of its own functions") {
