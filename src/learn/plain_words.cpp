@@ -135,6 +135,30 @@ constexpr std::array meanings{
         "This function is declared to give nothing (void), but returns something: what is its result in the starter?"},
     Meaning{"invalid use of void expression%",
             "A function is used here that gives nothing (void): what is its result in the starter?"},
+    Meaning{"cannot convert '%Truth' to '%bool'%",
+            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
+            "or surely(…) "
+            "of it."},
+    Meaning{"cannot convert '%Kleene' to '%bool'%",
+            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
+            "or surely(…) "
+            "of it."},
+    Meaning{"could not convert '%' from '%Kleene' to 'bool'%",
+            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
+            "or surely(…) "
+            "of it."},
+    Meaning{"no viable conversion from '%Truth' to '%bool'%",
+            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
+            "or surely(…) "
+            "of it."},
+    Meaning{"no viable conversion from '%Kleene' to '%bool'%",
+            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
+            "or surely(…) "
+            "of it."},
+    Meaning{"value of type '%Kleene' is not contextually convertible to 'bool'%",
+            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
+            "or surely(…) "
+            "of it."},
     Meaning{"cannot convert '%' to '%' in return%", "The function must return {2}, and this is {1}."},
     Meaning{"no viable conversion from returned value of type '%' to function return type '%'%",
             "The function must return {2}, and this is {1}."},

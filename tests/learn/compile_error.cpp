@@ -63,6 +63,11 @@ TEST_CASE("g++ and clang++ are told in the same plain words") {
              Case{"control reaches end of non-void function [-Werror=return-type]",
                   "non-void function does not return a value in all control paths [-Werror,-Wreturn-type]",
                   "no case of the switch fits? Write a return at the end"},
+             Case{"cannot convert 'glassbox::test::UnsureTruth' to 'const bool' in initialization",
+                  "no viable conversion from 'glassbox::test::UnsureTruth' to 'const bool'", "keep it as Truth<Real>"},
+             Case{"could not convert 'glassbox::operator>(t, 0.0)' from 'glassbox::Kleene' to 'bool'",
+                  "value of type 'glassbox::Kleene' is not contextually convertible to 'bool'",
+                  "possibly(…) or surely"},
              Case{"cannot convert 'const glassbox::Vec3<double>' to 'double' in return",
                   "no viable conversion from returned value of type 'const Vec3<double>' to function return type "
                   "'double'",

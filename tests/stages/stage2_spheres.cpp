@@ -3,6 +3,7 @@
 #include <sphere.hpp>
 
 #include "checks.hpp"
+#include "unsure.hpp"
 
 using namespace glassbox;
 using namespace glassbox::test;
@@ -215,6 +216,16 @@ void the_discriminant_is_told(const Rule& rule) {
     CHECK_EXACT(miss.discriminant, Real(-44));
 }
 
+template <class Rule>
+void doubt_is_handed_on(const Rule& rule) {
+    // The line touches a sphere of radius 1 where the ray starts: Δ = 0, known to within 1. So it may have roots or
+    // not.
+    Silent silent;
+    const Roots<Unsure> roots = rule(Ray<Unsure>{{0, 1, 0}, {1, 0, 0}}, Sphere<Unsure>{{0, 0, 0}, 1}, silent);
+    CHECK(possibly(roots.real));
+    CHECK_FALSE(surely(roots.real));
+}
+
 // And what holds for `intersect`, with real roots.
 
 template <class Real, class Rule>
@@ -322,6 +333,10 @@ TEST_CASE_TEMPLATE("Textbook: the probe is told the discriminant", Real, EVERY_S
     the_discriminant_is_told<Real>(Textbook{});
 }
 
+TEST_CASE("Textbook: where the sign of the discriminant is undecided, so is whether there are roots") {
+    doubt_is_handed_on(Textbook{});
+}
+
 TEST_CASE_TEMPLATE("intersect: ahead of the sphere the smaller root counts", Real, EVERY_SCALAR) {
     CHECK(first_of(Real(6), Real(14)).met);
     CHECK_EXACT(first_of(Real(6), Real(14)).t, Real(6));
@@ -349,6 +364,20 @@ TEST_CASE_TEMPLATE("intersect: t = 0 is no hit", Real, EVERY_SCALAR) {
 
 TEST_CASE_TEMPLATE("intersect: no roots, no hit", Real, EVERY_SCALAR) {
     CHECK_FALSE(intersect_given<Real>({false, 6, 14}).met);
+}
+
+TEST_CASE("intersect: where it is undecided whether there are roots, or a root lies ahead, so is whether it is met") {
+    const UnsureTruth undecided = UnsureTruth::undecided();
+    const Crossing<Unsure> grazing = intersect_given<Unsure>({undecided, 6, 14});
+    CHECK(possibly(grazing.met));
+    CHECK_FALSE(surely(grazing.met));
+    CHECK_EXACT(grazing.t.value, 6.0);
+    const Crossing<Unsure> close = intersect_given<Unsure>({true, 0.5, 14});  // 0.5, known to within 1
+    CHECK(possibly(close.met));
+    CHECK_FALSE(surely(close.met));
+    CHECK_EXACT(close.t.value, 0.5);
+    CHECK_FALSE(surely(intersect_given<Unsure>({true, -14, 0.5}).met));
+    CHECK_FALSE(surely(intersect_given<Unsure>({undecided, -7, 3}).met));
 }
 
 TEST_CASE_TEMPLATE("intersect: a sphere about the origin is met where it should be", Real, EVERY_SCALAR) {
@@ -422,6 +451,10 @@ TEST_CASE_TEMPLATE("Stable: the roots come in order, and both lie on the sphere"
 
 TEST_CASE_TEMPLATE("Stable: the probe is told the discriminant", Real, EVERY_SCALAR) {
     the_discriminant_is_told<Real>(Stable{});
+}
+
+TEST_CASE("Stable: where the sign of the discriminant is undecided, so is whether there are roots") {
+    doubt_is_handed_on(Stable{});
 }
 
 TEST_CASE_TEMPLATE("Stable: a sphere about the origin is met where it should be", Real, EVERY_SCALAR) {
