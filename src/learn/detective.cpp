@@ -48,6 +48,16 @@ std::optional<double> take_number(std::string_view& text) {
     return number;
 }
 
+/// The function that is looked at first where this mistake is the only one: the first that a test of it finds wrong.
+const Function* function_of(const std::string& mistake, const std::vector<Trace>& known, const Exercise& exercise) {
+    const Function* first = nullptr;
+    for (const Trace& trace : known) {
+        const Function* function = trace.mistake == mistake ? function_tested_by(exercise, trace.test) : nullptr;
+        if (function && (!first || function < first)) first = function;
+    }
+    return first;
+}
+
 bool close(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)) ||
            std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b));
@@ -77,10 +87,10 @@ std::vector<Trace> traces_of(const std::string& mistake, const TestRun& run) {
     return traces;
 }
 
-std::string looks_like(const TestRun& run, const std::vector<Trace>& known) {
+std::string looks_like(const TestRun& run, const std::vector<Trace>& known, const CaseResult* shown) {
     struct Match {
+        bool possible = true, is_shown = false;
         int tests = 0;
-        bool possible = true;
     };
     std::map<std::string, Match> matches;
     for (const Trace& trace : known) {
@@ -89,15 +99,17 @@ std::string looks_like(const TestRun& run, const std::vector<Trace>& known) {
                                        [&](const CaseResult& one) { return one.name == trace.test; });
         const bool fails = here != run.cases.end() && here->failure;
         if (fails && !here->failure->not_written().empty()) continue;
-        if (fails && same_got(got(*here->failure), trace.got)) ++match.tests;
-        else match.possible = false;
+        if (!fails || !same_got(got(*here->failure), trace.got)) match.possible = false;
+        match.is_shown |= shown && trace.test == shown->name;
+        ++match.tests;
     }
     std::string best;
-    int most = 0;
+    Match of_best;
     for (const auto& [name, match] : matches) {
-        if (!match.possible || match.tests <= most) continue;
+        if (!match.possible || std::tie(match.is_shown, match.tests) <= std::tie(of_best.is_shown, of_best.tests))
+            continue;
         best = name;
-        most = match.tests;
+        of_best = match;
     }
     return best;
 }
@@ -164,12 +176,16 @@ std::vector<Trace> traces_of_all(const Workspace& workspace, const Exercise& exe
     return all;
 }
 
-Recognised recognised(const Exercise& exercise, const TestRun& run) {
-    const std::string name = looks_like(run, read_traces(exercise.lesson / "mistakes.json"));
+Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgement& judgement) {
+    const std::vector<Trace> known = read_traces(exercise.lesson / "mistakes.json");
+    const std::string name = looks_like(run, known, judgement.shown);
     if (name.empty()) return {};
-    for (const Mistake& mistake : read_mistakes(exercise))
-        if (mistake.name == name) return {name, mistake.looks_like};
-    return {};
+    const std::vector<Mistake> mistakes = read_mistakes(exercise);
+    const auto mistake = std::ranges::find(mistakes, name, &Mistake::name);
+    if (mistake == mistakes.end()) return {};
+    const Function* made_in = function_of(name, known, exercise);
+    if (!made_in || made_in == judgement.function) return {name, mistake->looks_like};
+    return {name, fmt::format("In `{}`, not in the failure above: {}", made_in->name, mistake->looks_like)};
 }
 
 }  // namespace glassbox::learn

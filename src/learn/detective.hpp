@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "learn/judgement.hpp"
 #include "learn/test_run.hpp"
 
 namespace glassbox::learn {
@@ -26,18 +27,18 @@ std::vector<Trace> traces_of(const std::string& mistake, const TestRun& run);
 bool same_got(std::string_view a, std::string_view b);
 
 /// Which of the known mistakes a run looks like: of those whose every failing test fails here, too, with the same got,
-/// the one with most such tests. Tests that fail here since a function is not written yet are left out of account. ""
-/// if it looks like none.
-std::string looks_like(const TestRun& run, const std::vector<Trace>& known);
+/// one that the case `shown` is among, if there is any, and of those the one with most such tests. Tests that fail here
+/// since a function is not written yet are left out of account. "" if it looks like none.
+std::string looks_like(const TestRun& run, const std::vector<Trace>& known, const CaseResult* shown = nullptr);
 
 /// A classic mistake, recognised.
 struct Recognised {
     std::string name;        ///< "" for none
-    std::string looks_like;  ///< what is to be said of it
+    std::string looks_like;  ///< what is to be said of it, and of which function, if it is not the one looked at first
 };
 
 /// What a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml.
-Recognised recognised(const Exercise& exercise, const TestRun& run);
+Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgement& judgement);
 
 /// lessons/N-name/mistakes.json: an array, one trace a line, in the order given. Reading throws Error; a file that is
 /// not there has no traces.

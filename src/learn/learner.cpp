@@ -84,7 +84,8 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
     tested.run = run_tests(workspace_, exercise, tools(), request, stop);
     if (tested.run.stopped) return tested;
     tested.judgement = judged(exercise, tested.run);
-    if (!tested.run.error && !tested.run.passed()) tested.recognised = recognised(exercise, tested.run);
+    if (!tested.run.error && !tested.run.passed())
+        tested.recognised = recognised(exercise, tested.run, tested.judgement);
     if (const auto scene = scene_to_look_at(tested)) {
         write_whole(failing_scene_file(), std::as_bytes(std::span(scene->toml)));
         tested.pixel = scene->pixel;

@@ -136,6 +136,35 @@ TEST_CASE("a run looks like the mistake that shares most: all that it fails must
     CHECK(looks_like(run, known) == "");
 }
 
+TEST_CASE(
+    "of two mistakes at once the one is named that the failure shown is of; else it is said of which function it is") {
+    const Folder folder;
+    const std::vector<Trace> known{{"down", "normal: up", "n: -1"},
+                                   {"farthest", "nearest: of two", "t: 8"},
+                                   {"farthest", "nearest: of three", "t: 9"}};
+    TestRun run;
+    run.cases = {failing("nearest: of two", "t", "8"), failing("nearest: of three", "t", "9"),
+                 failing("normal: up", "n", "-1")};
+    CHECK(looks_like(run, known) == "farthest");  // more tests
+    CHECK(looks_like(run, known, &run.cases[0]) == "farthest");
+    CHECK(looks_like(run, known, &run.cases[2]) == "down");
+
+    Exercise exercise;
+    exercise.lesson = folder.path;
+    exercise.headers = {"sphere.hpp"};
+    exercise.functions = {{"nearest", "sphere.hpp", {"nearest:"}, {}}, {"normal", "sphere.hpp", {"normal:"}, {}}};
+    std::ofstream(folder / "mistakes.json") << written(known);
+    std::ofstream toml(folder / "mistakes.toml");
+    for (const char* name : {"farthest", "down"})
+        toml << "[[mistake]]\nname = '" << name << "'\nheader = 'sphere.hpp'\ninstead_of = 'a'\nwrites = 'b'\n"
+             << "looks_like = 'It is " << name << ".'\n";
+    toml.close();
+    CHECK(recognised(exercise, run, judged(exercise, run)).looks_like == "It is farthest.");
+    run.cases[0] = failing("nearest: of two", "t", "7");  // a mistake of nobody's: what is known is elsewhere
+    CHECK(recognised(exercise, run, judged(exercise, run)).looks_like ==
+          "In `normal`, not in the failure above: It is down.");
+}
+
 TEST_CASE("a function that calls one that is not written waits for it, and has not failed") {
     Exercise exercise;
     exercise.functions = {{"roots", "", {"roots:"}, {}}, {"meet", "", {"meet:"}, {}}, {"normal", "", {"normal:"}, {}}};
