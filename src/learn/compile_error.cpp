@@ -76,14 +76,13 @@ std::vector<Diagnosed> diagnosed(const std::string& text) {
         std::optional<Located> found = located(line);
         if (!found) continue;
         std::string& rest = found->rest;
-        for (const std::string_view severity : {"fatal error: ", "error: "})
-            if (rest.starts_with(severity)) {
-                rest.erase(0, severity.size());
-                errors.push_back({*std::move(found), std::move(before)});
-                before.clear();
-                break;
-            }
-        if (!found || rest.starts_with("warning: ")) continue;
+        constexpr std::string_view severity = "error: ";
+        if (rest.starts_with(severity) || rest.starts_with("fatal error: ")) {
+            rest.erase(0, rest.find(severity) + severity.size());
+            errors.push_back({*std::move(found), std::exchange(before, {})});
+            continue;
+        }
+        if (rest.starts_with("warning: ")) continue;
         // g++ tells before the error how it came there, clang++ after it, in a note. Other notes lead nowhere.
         const bool note = rest.starts_with("note: ");
         const bool needed =
@@ -95,6 +94,7 @@ std::vector<Diagnosed> diagnosed(const std::string& text) {
 }
 
 bool lies_in(const fs::path& file, const fs::path& folder) {
+    if (folder.empty()) return false;
     const fs::path near = file.lexically_normal().lexically_relative(folder.lexically_normal());
     return !near.empty() && *near.begin() != "..";
 }
@@ -140,6 +140,9 @@ std::string first_line_with(const std::string& text, std::string_view part) {
         if (line.find(part) != std::string_view::npos) return std::string(line);
     return "";
 }
+
+constexpr std::string_view what_to_do =
+    "Run ./glassbox: it builds Glassbox anew, from its source as it is now. If it stays, please report it.";
 
 bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
 
@@ -288,6 +291,24 @@ std::optional<CompileError> link_error(const Outcome& linking) {
         error.message = "the linker: " + in_words(linking);
     }
     return error;
+}
+
+CompileError with_its_cause(CompileError error, const std::function<std::optional<CompileError>()>& with_ours) {
+    if (error.yours) return error;
+    std::optional<CompileError> ours = with_ours();
+    if (!ours) return error;
+    ours->ours = true;
+    ours->plain = fmt::format("This is no mistake of yours: with our own headers it is the same. {}", what_to_do);
+    return *std::move(ours);
+}
+
+Error error_in_ours(const Outcome& compilation, const fs::path& source) {
+    const std::optional<CompileError> error = compile_error(compilation, {}, {});
+    if (!error || error->place.file.empty())
+        return error_at({source.string()},
+                        fmt::format("cannot be compiled: {}. {}", in_words(compilation), what_to_do));
+    return error_at(error->place,
+                    fmt::format("cannot be compiled: {}. This is no mistake of yours. {}", error->message, what_to_do));
 }
 
 std::string with_caret(const CompileError& error) {

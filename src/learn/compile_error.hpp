@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace glassbox::learn {
 struct CompileError {
     Place place;          ///< in the learner's own file, if any error leads there; the file is absolute
     bool yours = false;   ///< whether it is in the learner's own file
+    bool ours = false;    ///< whether it is a fault of ours, whatever the learner's file has
     std::string source;   ///< that line of the file
     std::string message;  ///< the compiler's words
     std::string plain;    ///< what they mean and what to do, for the common ones
@@ -27,6 +29,15 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const std:
 
 /// What went wrong when a program was linked.
 std::optional<CompileError> link_error(const Outcome& linking);
+
+/// An error with a learner's headers, told for what it is. Where it is in none of these, `with_ours` compiles the same
+/// with our headers: if that fails, too, it is no mistake of the learner's, but one of ours, or Glassbox was built from
+/// another source.
+CompileError with_its_cause(CompileError error, const std::function<std::optional<CompileError>()>& with_ours);
+
+/// What is wrong with a file of ours, which no header of a learner's is part of: an Error, of one line. `source` is
+/// what was to be compiled.
+Error error_in_ours(const Outcome& compilation, const std::filesystem::path& source);
 
 /// The line of source with a caret under the column: two lines. A tab stays a tab, so that the caret stands right.
 std::string with_caret(const CompileError& error);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "learn/child.hpp"
+#include "learn/compile_error.hpp"
 #include "scene/error.hpp"
 #include "scene/text_file.hpp"
 
@@ -77,9 +78,7 @@ void precompile(const Compiler& compiler, const Compilation& header, const std::
     std::vector<std::string> arguments = arguments_of(header);
     arguments.insert(arguments.end(), {"-x", "c++-header", header.source.string(), "-o", header.object.string()});
     const Outcome outcome = run_compiler(compiler, std::move(arguments), header.folder, stop);
-    if (!outcome.well())
-        throw Error(fmt::format("{}: error: {} cannot compile it: {}\n{}", header.source.string(), compiler.program,
-                                in_words(outcome), outcome.errors));
+    if (!outcome.well()) throw error_in_ours(outcome, header.source);
 }
 
 std::vector<std::string> beginning_with(const Compiler& compiler, const fs::path& precompiled) {

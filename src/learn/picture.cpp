@@ -26,6 +26,22 @@ std::string end_of(const Outcome& outcome) {
     return words;
 }
 
+/// Where a lesson's program is made, and from what.
+struct Making {
+    fs::path headers, object, program;
+};
+
+std::optional<CompileError> build(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
+                                  const Making& making, const std::stop_token& stop) {
+    const Compilation what{exercise.lesson / "main.cpp",
+                           making.object,
+                           includes_of(workspace, exercise, making.headers),
+                           {"-O1", "-g0", "-Werror=return-type", "-Dmain=lesson_main"},
+                           workspace.root};
+    if (auto error = compile_error(compile(tools.compiler, what, stop), making.headers, workspace.root)) return error;
+    return link_error(link(tools.compiler, {making.object, tools.picture_main}, making.program, stop));
+}
+
 }  // namespace
 
 Image read_ppm(const fs::path& file) {
@@ -47,20 +63,21 @@ Image read_ppm(const fs::path& file) {
 
 LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                              const fs::path& headers, const fs::path& folder, const std::stop_token& stop) {
-    const fs::path object = folder / "picture.o", program = folder / "picture-program", ppm = folder / "picture.ppm";
+    const Making making{headers, folder / "picture.o", folder / "picture-program"};
+    const fs::path ppm = folder / "picture.ppm";
     LessonPicture picture;
-    Compilation what{exercise.lesson / "main.cpp",
-                     object,
-                     includes_of(workspace, exercise, headers),
-                     {"-O1", "-g0", "-Werror=return-type", "-Dmain=lesson_main"},
-                     workspace.root};
-    picture.error = compile_error(compile(tools.compiler, what, stop), headers, workspace.root);
-    if (!picture.error) picture.error = link_error(link(tools.compiler, {object, tools.picture_main}, program, stop));
+    picture.error = build(workspace, exercise, tools, making, stop);
+    if (picture.error && !stop.stop_requested())
+        picture.error = with_its_cause(*picture.error, [&] {
+            const fs::path ours = make_folder(folder / "ours");
+            return build(workspace, exercise, tools,
+                         {workspace.solutions_of(exercise), ours / "picture.o", ours / "picture-program"}, stop);
+        });
     if (picture.error) return picture;
 
     std::error_code none;
     fs::remove(ppm, none);
-    Command command{program, {ppm.string()}};
+    Command command{making.program, {ppm.string()}};
     command.folder = folder;
     command.limits = {.time = 20s, .memory = std::uint64_t{1} << 30, .file = std::uint64_t{64} << 20};
     const Outcome outcome = run(command, stop);

@@ -153,10 +153,11 @@ std::string error_text(const CompileError& error, const Paint& paint) {
     std::string where = shown(error.place.file);
     if (error.place.line > 0) where += fmt::format(":{}", error.place.line);
     if (error.place.column > 0) where += fmt::format(":{}", error.place.column);
-    std::string text = error.place.file.empty() ? fmt::format("{} It does not compile.\n", paint.bad("✗"))
-                                                : fmt::format("{} {}: {}\n", paint.bad("✗"), paint.strong(where),
-                                                              error.yours ? "this does not compile"
-                                                                          : "this does not compile with your headers");
+    std::string text = error.place.file.empty()
+                           ? fmt::format("{} It does not compile.\n", paint.bad("✗"))
+                           : fmt::format("{} {}: {}\n", paint.bad("✗"), paint.strong(where),
+                                         error.yours || error.ours ? "this does not compile"
+                                                                   : "this does not compile with your headers");
     if (!error.source.empty()) text += '\n' + indented(with_caret(error), "    ");
     text += '\n';
     if (!error.plain.empty()) text += fmt::format("  {}\n", error.plain);

@@ -70,7 +70,8 @@ public:
         return sources;
     }
 
-    /// Compiles and links, unless all is as it was. What went wrong, if anything did.
+    /// Compiles and links, unless all is as it was. What went wrong, if anything did. `ingredients` is what the program
+    /// is made of: a fingerprint.
     std::optional<CompileError> build(const std::string& ingredients, const std::stop_token& stop) {
         const std::vector<fs::path> all = sources();
         if (content_of(file("key")) == ingredients) return {};
@@ -114,6 +115,27 @@ private:
     std::string_view scalar_;
 };
 
+/// A fingerprint of all that goes into a lesson's test programs.
+std::string ingredients_of(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
+                           const fs::path& headers) {
+    std::vector<std::string> parts{tools.identity};
+    for (const char* folder : {"src/core", "src/numerics", "src/engine", "tests/stages", "tests/support"})
+        add_headers(parts, workspace.root / folder);
+    for (const std::string& test : exercise.tests) parts.push_back(read_text(workspace.root / test));
+    add_headers(parts, headers);
+    parts.push_back(content_of(workspace.root / "lessons/not_written.hpp"));
+    return fingerprint(parts);
+}
+
+/// What went wrong when a scalar's program was built with our headers, if anything did.
+std::optional<CompileError> error_with_ours(const Workspace& workspace, const Exercise& exercise,
+                                            const Toolchain& tools, const fs::path& folder, std::string_view scalar,
+                                            const std::stop_token& stop) {
+    const TestRequest ours{workspace.solutions_of(exercise), make_folder(folder)};
+    return Program(workspace, exercise, tools, ours, scalar)
+        .build(ingredients_of(workspace, exercise, tools, ours.headers), stop);
+}
+
 /// Adds what a program reported. Cases without a scalar are in all programs; the first result stands.
 void add(TestRun& run, Report report) {
     for (CaseResult& one : report.cases) {
@@ -156,14 +178,7 @@ std::vector<fs::path> includes_of(const Workspace& workspace, const Exercise& ex
 TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                   const TestRequest& request, const std::stop_token& stop) {
     const Lock lock(request.folder, stop);
-    std::vector<std::string> parts{tools.identity};
-    for (const char* folder : {"src/core", "src/numerics", "src/engine", "tests/stages", "tests/support"})
-        add_headers(parts, workspace.root / folder);
-    for (const std::string& test : exercise.tests) parts.push_back(read_text(workspace.root / test));
-    add_headers(parts, request.headers);
-    parts.push_back(content_of(workspace.root / "lessons/not_written.hpp"));
-    const std::string ingredients = fingerprint(parts);
-
+    const std::string ingredients = ingredients_of(workspace, exercise, tools, request.headers);
     std::vector<Program> programs;
     for (const std::string_view scalar : scalars) {
         programs.emplace_back(workspace, exercise, tools, request, scalar);
@@ -185,7 +200,13 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
         const bool ready = built[i].wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
         if (i > 0 && i + 1 == programs.size() && !ready && request.so_far) request.so_far(run);
         run.error = built[i].get();
-        if (run.error || stop.stop_requested()) break;
+        if (stop.stop_requested()) break;
+        if (run.error) {
+            run.error = with_its_cause(*run.error, [&] {
+                return error_with_ours(workspace, exercise, tools, request.folder / "ours", programs[i].scalar(), stop);
+            });
+            break;
+        }
         add(run, programs[i].run(stop));
         run.scalars.push_back(programs[i].scalar());
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <future>
 
+#include "learn/compile_error.hpp"
 #include "learn/headers.hpp"
 #include "scene/text_file.hpp"
 
@@ -37,9 +38,7 @@ void make(const Workspace& workspace, const Compiler& compiler, const fs::path& 
         const Compilation what{
             runner / fmt::format("{}.cpp", name), folder / fmt::format("{}.o", name), includes, {"-O1", "-g0"}, {}};
         const Outcome outcome = compile(compiler, what);
-        if (!outcome.well())
-            throw Error(fmt::format("{}: error: {} cannot compile it: {}\n{}", what.source.string(), compiler.program,
-                                    in_words(outcome), outcome.errors));
+        if (!outcome.well()) throw error_in_ours(outcome, what.source);
     };
     auto both = std::async(std::launch::async, [&] {
         compile_main("main");

@@ -179,6 +179,44 @@ TEST_CASE("an error in the tests is said to be about the headers") {
     CHECK(error.plain.find("The tests cannot use your headers as they are") == 0);
 }
 
+TEST_CASE("an error that our own headers lead to, too, is no mistake of the learner's") {
+    const Project project;
+    const CompileError in_the_tests =
+        project.error("tests/stage.cpp:7:3: error: 'dot' was not declared in this scope\n");
+    const CompileError in_mine = project.error("my/1-rays/vec3.hpp:3:9: error: 'tow' was not declared in this scope\n");
+    int asked = 0;
+    const auto well = [&]() -> std::optional<CompileError> { return ++asked, std::nullopt; };
+    const auto as_bad = [&]() -> std::optional<CompileError> { return ++asked, in_the_tests; };
+
+    const CompileError theirs = with_its_cause(in_the_tests, well);
+    CHECK_FALSE(theirs.ours);
+    CHECK(theirs.plain == in_the_tests.plain);
+    const CompileError ours = with_its_cause(in_the_tests, as_bad);
+    CHECK(ours.ours);
+    CHECK(ours.plain.starts_with("This is no mistake of yours"));
+    CHECK(ours.plain.find("./glassbox") != std::string::npos);
+    CHECK(asked == 2);
+    CHECK_FALSE(with_its_cause(in_mine, as_bad).ours);  // it need not be asked whose that is
+    CHECK(asked == 2);
+}
+
+TEST_CASE("a file of ours that does not compile is told of in one line, without warnings") {
+    const Error error =
+        error_in_ours(said("src/learn/runner/prelude.hpp:1:9: warning: #pragma once in main file\n"
+                           "    1 | #pragma once\n"
+                           "src/learn/runner/prelude.hpp:3:10: fatal error: doctest.h: No such file or directory\n"
+                           "src/learn/runner/prelude.hpp:9:10: error: 'doctest' is not declared\n"),
+                      "src/learn/runner/prelude.hpp");
+    const std::string words = error.what();
+    CHECK(words.starts_with(
+        "src/learn/runner/prelude.hpp:3:10: error: cannot be compiled: doctest.h: No such file or directory. "));
+    CHECK(words.find("no mistake of yours") != std::string::npos);
+    CHECK(words.find('\n') == std::string::npos);
+    Outcome gone;
+    gone.end = End::deadline;
+    CHECK(std::string(error_in_ours(gone, "main.cpp").what()).starts_with("main.cpp: error: cannot be compiled: "));
+}
+
 TEST_CASE("names that are nearly right are suggested from the file itself; headers from all lessons") {
     const Project project;
     CHECK(project.error("my/1-rays/vec3.hpp:3:9: error: 'tow' was not declared in this scope\n").plain ==
