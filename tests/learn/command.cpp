@@ -66,6 +66,39 @@ TEST_CASE("a classic mistake is told with its test, its numbers and its name's w
     check_has(learn({"mistake", "2"}).out, "normal-inwards");
 }
 
+TEST_CASE("what only waits for a function to be written is told to wait, and is not marked as wrong") {
+    learn({"reset", "1"});
+    for (const char* header : {"vec3.hpp", "ray.hpp", "viewing_plane.hpp"}) {
+        std::string solution = content(fs::path(ROOT) / "src/core/1-rays" / header);
+        const std::string dot = "return a.x * b.x + a.y * b.y + a.z * b.z;";
+        if (const std::size_t at = solution.find(dot); at != std::string::npos)
+            solution.replace(at, dot.size(), "return not_written<Real>(\"dot\");")
+                .insert(solution.find("#include"), "#include <not_written.hpp>\n");
+        std::ofstream(home() / "mine/1-rays" / header) << solution;
+    }
+    const Ran ran = learn({"test", "1"});
+    CHECK(ran.status == 1);
+    check_has(ran.out, "· dot");
+    check_has(ran.out, "… cross, length, unit wait for `dot`");
+    check_has(ran.out, "✓ at");
+    check_has(ran.out, "Next to write: dot in mine/1-rays/vec3.hpp:");
+    CHECK(ran.out.find("✗") == std::string::npos);
+    check_has(learn({"status"}).out, "write   dot in mine/1-rays/vec3.hpp:");
+}
+
+TEST_CASE("tests that do not compile with our own headers, either, are not blamed on the learner") {
+    const Folder project;
+    for (const char* same : {"lessons", "src"}) fs::create_directory_symlink(fs::path(ROOT) / same, project / same);
+    fs::create_directory(project / "tests");
+    for (const char* copied : {"tests/stages", "tests/support"}) fs::copy(fs::path(ROOT) / copied, project / copied);
+    std::ofstream(project / "tests/stages/stage1_rays.cpp", std::ios::app) << "static_assert(renamed_since);\n";
+    const Ran ran = run_glassbox({"learn", "test", "1", "--folder", "mine"}, {.folder = project.path});
+    CHECK(ran.status == 1);
+    check_has(ran.out, "tests/stages/stage1_rays.cpp:");
+    check_has(ran.out, "This is no mistake of yours: with our own headers it is the same. Run ./glassbox");
+    CHECK(ran.out.find("your headers") == std::string::npos);
+}
+
 TEST_CASE("the solution can be piped, passes, and makes a picture; that one gave up is remembered") {
     const Ran solution = learn({"solution", "4"});
     CHECK(solution.status == 0);
