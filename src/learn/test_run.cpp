@@ -50,6 +50,12 @@ private:
     int descriptor_;
 };
 
+/// What came of one scalar's program.
+struct Tried {
+    std::optional<CompileError> error;  ///< why there is none
+    Report report;
+};
+
 /// One scalar's program: compiled, linked, run.
 class Program {
 public:
@@ -93,6 +99,14 @@ public:
         return {};
     }
 
+    /// Builds it and runs it.
+    Tried test(const std::string& ingredients, const std::stop_token& stop) {
+        Tried tried{build(ingredients, stop), {}};
+        if (!tried.error && !stop.stop_requested()) tried.report = run(stop);
+        return tried;
+    }
+
+private:
     Report run(const std::stop_token& stop) const {
         const std::string nonce = random_text();
         const fs::path report = file("report");
@@ -105,7 +119,6 @@ public:
         return read_report(content_of(report), nonce, outcome);
     }
 
-private:
     fs::path file(const std::string& what) const { return request_.folder / fmt::format("{}-{}", scalar_, what); }
 
     const Workspace& workspace_;
@@ -186,28 +199,28 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
     }
     std::stop_source enough;  // of the others, when one fails
     const std::stop_callback both(stop, [&] { enough.request_stop(); });
-    std::vector<std::future<std::optional<CompileError>>> built;
-    const auto build_next = [&] {
-        Program& program = programs[built.size()];
-        built.push_back(std::async(request.at_once ? std::launch::async : std::launch::deferred,
-                                   [&] { return program.build(ingredients, enough.get_token()); }));
+    std::vector<std::future<Tried>> tries;
+    const auto try_next = [&] {
+        Program& program = programs[tries.size()];
+        tries.push_back(std::async(request.at_once ? std::launch::async : std::launch::deferred,
+                                   [&] { return program.test(ingredients, enough.get_token()); }));
     };
 
     TestRun run;
     const std::size_t at_a_time = std::max(2u, std::thread::hardware_concurrency());
     for (std::size_t i = 0; i < programs.size() && (i == 0 || run.passed()); ++i) {
-        while (built.size() < std::min(i + at_a_time, programs.size())) build_next();
-        const bool ready = built[i].wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
-        if (i > 0 && i + 1 == programs.size() && !ready && request.so_far) request.so_far(run);
-        run.error = built[i].get();
+        while (tries.size() < std::min(i + at_a_time, programs.size())) try_next();
+        const bool is_done = tries[i].wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+        if (i > 0 && i + 1 == programs.size() && !is_done && request.so_far) request.so_far(run);
+        Tried tried = tries[i].get();
         if (stop.stop_requested()) break;
-        if (run.error) {
-            run.error = with_its_cause(*run.error, [&] {
+        if (tried.error) {
+            run.error = with_its_cause(*tried.error, [&] {
                 return error_with_ours(workspace, exercise, tools, request.folder / "ours", programs[i].scalar(), stop);
             });
             break;
         }
-        add(run, programs[i].run(stop));
+        add(run, std::move(tried.report));
         run.scalars.push_back(programs[i].scalar());
     }
     enough.request_stop();

@@ -57,7 +57,7 @@ struct TestRun {
 struct TestRequest {
     std::filesystem::path headers;             ///< the folder that comes first on the include path
     std::filesystem::path folder;              ///< where the program is made; it must be there
-    bool at_once = true;                       ///< compile for several scalars at the same time, to answer soon
+    bool at_once = true;                       ///< try several scalars at the same time, to answer soon
     std::chrono::milliseconds deadline{5000};  ///< for the tests of a scalar
     /// Is told how it went so far, when all has passed and only the last scalar takes longer.
     std::function<void(const TestRun&)> so_far = {};
