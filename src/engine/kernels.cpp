@@ -175,103 +175,109 @@ inline constexpr double half_tile = (tile_side - 1) * 0.5;
 inline constexpr float to_quarter = quarter_side * 0.5f, half_quarter = (quarter_side - 1) * 0.5f;
 inline constexpr int quarters = 4;
 
-/// Half-spaces that hold all of a tile's rays: w·x + d ≥ 0 where x is relative to the engine's middle. d has been made
-/// larger by what floats may lose.
-struct Frustum {
-    float w[4][3], d[4];
-    /// A point x at t on some ray of the tile has ahead·x + ahead_far ≥ 0 and ahead·x + ahead_near ≤ t·pace.
-    float ahead[3], ahead_near, ahead_far;
-    double pace;
+/// A number that is linear in x, a point relative to the engine's middle: between w·x + low and w·x + high, whatever
+/// floats lose.
+struct Bounds {
+    float w[3], low, high;
 };
 
-/// A half-space in floats: n·x + d ≥ 0, multiplied so that floats hold it. Each of four terms is rounded at most six
-/// times, relatively by 2⁻²⁴; d is off by `doubt` times the size of n.
-inline void set_plane(const glassbox::Vec3<double>& n, double d, double doubt, double reach, float (&w)[3], float& at) {
-    const double scale = 1 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    const double x = n.x * scale, y = n.y * scale, z = n.z * scale;
-    w[0] = static_cast<float>(x);
-    w[1] = static_cast<float>(y);
-    w[2] = static_cast<float>(z);
-    const double size = std::abs(x) + std::abs(y) + std::abs(z);
-    at = rounded_up(d * scale + 0x1p-21 * (size * reach + std::abs(d * scale)) + size * doubt);
-}
+/// Where a point is, as a tile's rays see it. With D the middle ray's direction it is that ray's start and, t being
+/// that of a ray through it that is dj and di pixels off,
+///
+///   t (D + dj right + di up)      in a pinhole's view,
+///   t D + dj right + di up        in a parallel one.
+///
+/// So t is linear in x, and so are t dj and t di, or dj and di.
+struct Sight {
+    Bounds t, right, up;
+    bool pinhole;
+};
 
 /// The start of a tile's middle ray relative to the engine's middle, and its direction.
 struct MiddleRay {
     glassbox::Vec3<double> P, D;
 };
 
-/// False if rounding might put a ray outside: the tile is then not to be traced as one.
-inline bool set_frustum(Frustum& frustum, const Engine& engine, const Grid& grid, const MiddleRay& middle) {
+/// n·(x − start)/volume. In floats each of its terms is rounded at most six times, relatively by 2⁻²⁴; n is the cross
+/// product of two vectors whose sizes' product is `size`, and off by 2⁻⁵⁰ of it; it may also be off by `more`.
+inline Bounds bounds(const glassbox::Vec3<double>& n, const glassbox::Vec3<double>& start, double volume, double size,
+                     double reach, double more) {
+    const double x = n.x / volume, y = n.y / volume, z = n.z / volume, d = -(x * start.x + y * start.y + z * start.z);
+    const double sum = std::abs(x) + std::abs(y) + std::abs(z);
+    const double far = reach + std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
+    const double error = 0x1p-21 * (sum * reach + std::abs(d)) + 0x1p-48 * size / std::abs(volume) * far + more;
+    return {{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)},
+            rounded_down(d - error),
+            rounded_up(d + error)};
+}
+
+/// By how many pixels rounding may move a ray, or a point beside it.
+inline constexpr double off_by = 0.01;
+
+/// False if rounding might move them more: the tile is then not to be traced as one.
+inline bool set_sight(Sight& sight, const Engine& engine, const Grid& grid, const MiddleRay& middle) {
     using Vector = glassbox::Vec3<double>;
     using glassbox::cross, glassbox::dot;
-    const double reach = static_cast<double>(engine.around().reach());
-    constexpr double outside = half_tile + 0.01;  // in pixels
     const auto size = [](const Vector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    const auto side = [&](const Vector& across, const Vector& along, double by, float(&w)[3], float& d) {
-        // Of the rays' plane through the tile's edge: spanned by the edge, and by a ray there.
-        const Vector at_edge = grid.pinhole ? middle.D + by * across : middle.D;
-        const Vector start = grid.pinhole ? middle.P : middle.P + by * across;
-        Vector n = cross(at_edge, along);
-        double inwards = -by * dot(n, across) / outside;
-        if (inwards < 0) {
-            n = -n;
-            inwards = -inwards;
-        }
-        set_plane(n, -dot(n, start), 0x1p-50 * size(start), reach, w, d);
-        // A hundredth of a pixel must be more than what rounding does to the rays, and to n.
-        const double steps = (grid.pinhole ? size(at_edge) : 0) + 4 * (size(across) + size(along));
-        const double rounded = size(n) * grid.ray_error + 0x1p-48 * size(at_edge) * size(along) * steps;
-        return inwards * 0.01 > 2 * rounded;
-    };
-    const bool holds = side(grid.right, grid.up, -outside, frustum.w[0], frustum.d[0]) &&
-                       side(grid.right, grid.up, outside, frustum.w[1], frustum.d[1]) &&
-                       side(grid.up, grid.right, -outside, frustum.w[2], frustum.d[2]) &&
-                       side(grid.up, grid.right, outside, frustum.w[3], frustum.d[3]);
-    if (!holds) return false;
-
-    const double longest = std::max({std::abs(middle.D.x), std::abs(middle.D.y), std::abs(middle.D.z)});
-    const Vector ahead = middle.D / longest;
-    const double by_step = outside * (std::abs(dot(ahead, grid.right)) + std::abs(dot(ahead, grid.up)));
-    const double slack = (grid.pinhole ? grid.ray_error : 0) + 0x1p-48 * size(middle.D);
-    const double start_slack = (grid.pinhole ? 0 : grid.ray_error) + 0x1p-48 * size(middle.P);
-    const double straight = dot(ahead, middle.D), begin = dot(ahead, middle.P);
-    // Along a ray from its start `ahead` grows by t times this, at least and at most.
-    const double slowest = grid.pinhole ? straight - by_step - slack : straight - slack;
-    frustum.pace = grid.pinhole ? straight + by_step + slack : straight + slack;
-    const double first = begin - start_slack - (grid.pinhole ? 0 : by_step);
-    const double last = begin + start_slack + (grid.pinhole ? 0 : by_step);
-    if (!(slowest > 0)) return false;
-    set_plane(ahead, -first, 0, reach, frustum.ahead, frustum.ahead_far);
-    set_plane(-ahead, last, 0, reach, frustum.ahead, frustum.ahead_near);
-    for (float& w : frustum.ahead) w = -w;
-    frustum.ahead_near = -frustum.ahead_near;
+    const Vector &R = grid.right, &U = grid.up, &D = middle.D, n = cross(R, U);
+    const double sizes = size(R) * size(U) * size(D), volume = dot(D, n);
+    // Off by 2⁻⁴⁸ of `sizes` at most: relatively by 2⁻³⁰, which moves nothing in the tile by more than 2⁻²⁶ pixels.
+    if (!(std::abs(volume) > 0x1p-18 * sizes)) return false;
+    // A ray that is off by ε is seen to be off by ε·(U × D)/volume and so on; in a pinhole's view t is then off
+    // relatively by ε·n/volume, and so are dj and di, which are less than 8.
+    const double by_ray = grid.ray_error / std::abs(volume);
+    const double t_off = by_ray * size(n);
+    if (!(by_ray * (size(U) + size(R)) * size(D) + 8 * t_off < off_by / 2)) return false;
+    if (grid.pinhole && !(t_off < 0x1p-22)) return false;
+    const double reach = static_cast<double>(engine.around().reach());
+    sight = {bounds(n, middle.P, volume, size(R) * size(U), reach, grid.pinhole ? 0 : t_off),
+             bounds(cross(U, D), middle.P, volume, size(U) * size(D), reach, 0),
+             bounds(cross(D, R), middle.P, volume, size(D) * size(R), reach, 0), grid.pinhole};
     return true;
 }
 
-/// The children whose boxes the frustum meets, not beyond `until`; and how near each begins.
-HWY_ATTR std::uint32_t children_met(const Node& node, const Frustum& frustum, float until, float (&entries)[fan_out]) {
+/// What lies beyond this t lies behind something that is met at t: `bounds` and set_sight allow for 2⁻²².
+inline float beyond(double t) { return rounded_up(t + std::abs(t) * 0x1p-20); }
+
+/// The children whose boxes some ray of the tile may meet, not beyond `until`; and the least t in each.
+HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& sight, float until, float (&entries)[fan_out]) {
     const hn::CappedTag<float, fan_out> d;
+    const auto zero = hn::Zero(d), infinite = hn::Set(d, std::numeric_limits<float>::infinity());
     std::uint32_t met = 0;
     for (std::size_t at = 0; at < fan_out; at += hn::Lanes(d)) {
-        // The corner of the box that lies farthest along w, and the one that lies least.
-        const auto most = [&](const float(&w)[3], auto sum) HWY_ATTR {
+        // In the corner of the box where it is least, and where it is most.
+        const auto least = [&](const Bounds& b) HWY_ATTR {
+            auto sum = hn::Set(d, b.low);
             for (int k = 0; k < 3; ++k)
-                sum = hn::MulAdd(hn::Set(d, w[k]), hn::Load(d, (w[k] > 0 ? node.hi : node.lo)[k] + at), sum);
+                sum = hn::MulAdd(hn::Set(d, b.w[k]), hn::Load(d, (b.w[k] > 0 ? node.lo : node.hi)[k] + at), sum);
             return sum;
         };
-        const auto least = [&](const float(&w)[3], auto sum) HWY_ATTR {
+        const auto most = [&](const Bounds& b) HWY_ATTR {
+            auto sum = hn::Set(d, b.high);
             for (int k = 0; k < 3; ++k)
-                sum = hn::MulAdd(hn::Set(d, w[k]), hn::Load(d, (w[k] > 0 ? node.lo : node.hi)[k] + at), sum);
+                sum = hn::MulAdd(hn::Set(d, b.w[k]), hn::Load(d, (b.w[k] > 0 ? node.hi : node.lo)[k] + at), sum);
             return sum;
         };
-        auto inside = most(frustum.w[0], hn::Set(d, frustum.d[0]));
-        for (int plane = 1; plane < 4; ++plane)
-            inside = hn::Min(inside, most(frustum.w[plane], hn::Set(d, frustum.d[plane])));
-        inside = hn::Min(inside, most(frustum.ahead, hn::Set(d, frustum.ahead_far)));
-        const auto entry = least(frustum.ahead, hn::Set(d, frustum.ahead_near));
-        hn::StoreU(entry, d, entries + at);
-        met |= bits_of(d, hn::And(hn::Ge(inside, hn::Zero(d)), hn::Le(entry, hn::Set(d, until)))) << at;
+        const auto t_least = least(sight.t), t_most = most(sight.t);
+        const auto around_start = hn::Lt(t_least, hn::Set(d, 0x1p-100f));
+        const auto one = hn::Set(d, 1.0f), by_near = hn::Div(one, t_least), by_far = hn::Div(one, t_most);
+        // Is one of the tile's rays between the box's ends? They are 0 to 7 pixels from the first.
+        const auto holds_a_ray = [&](const Bounds& b) HWY_ATTR {
+            auto from = least(b), to = most(b);
+            if (sight.pinhole) {
+                from = hn::Min(hn::Mul(from, by_near), hn::Mul(from, by_far));
+                to = hn::Max(hn::Mul(to, by_near), hn::Mul(to, by_far));
+                from = hn::IfThenElse(around_start, hn::Neg(infinite), from);
+                to = hn::IfThenElse(around_start, infinite, to);
+            }
+            constexpr auto slack = static_cast<float>(2 * off_by), first = static_cast<float>(half_tile);
+            from = hn::Max(hn::Add(from, hn::Set(d, first - slack)), zero);
+            to = hn::Min(hn::Add(to, hn::Set(d, first + slack)), hn::Set(d, tile_side - 1.0f));
+            return hn::Le(hn::Ceil(from), hn::Floor(to));
+        };
+        const auto ahead = hn::And(hn::Ge(t_most, zero), hn::Le(t_least, hn::Set(d, until)));
+        hn::StoreU(t_least, d, entries + at);
+        met |= bits_of(d, hn::And(ahead, hn::And(holds_a_ray(sight.right), holds_a_ray(sight.up)))) << at;
     }
     return met;
 }
@@ -308,25 +314,37 @@ public:
         const Hierarchy& hierarchy = engine_.hierarchy();
         if (!engine_.loose().empty()) return give_up();
         if (hierarchy.nodes.empty()) return;
-        Frustum frustum;
-        if (!set_frustum(frustum, engine_, grid_, {start_ - engine_.middle(), direction_})) return give_up();
+        Sight sight;
+        if (!set_sight(sight, engine_, grid_, {start_ - engine_.middle(), direction_})) return give_up();
         float until = std::numeric_limits<float>::infinity();
         Stack stack({0, -std::numeric_limits<float>::infinity()});
         while (!stack.is_empty()) {
             const auto [child, at] = stack.pop();
             if (at > until) continue;
             if (Child::is_leaf(child)) {
-                if (test(child)) until = end_of(frustum);
+                if (test(child)) until = beyond(t_of_key(grid_, least_key_));
                 continue;
             }
             const Node& node = hierarchy.nodes[child];
             alignas(32) float entries[fan_out];
-            const std::uint32_t met = children_met(node, frustum, until, entries);
+            const std::uint32_t met = children_met(node, sight, until, entries);
+            for (std::uint32_t rest = met; rest != 0; rest &= rest - 1) prefetch(node.child[__builtin_ctz(rest)]);
             stack.push(node, met, entries);
         }
     }
 
 private:
+    /// Asks memory for a child before it is needed: there is always something else to do meanwhile.
+    void prefetch(std::uint32_t child) const {
+        constexpr std::size_t line = 64;
+        const auto all = [](const auto& value) {
+            for (std::size_t at = 0; at < sizeof(value); at += line)
+                __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
+        };
+        if (!Child::is_leaf(child)) all(engine_.hierarchy().nodes[child]);
+        else if (!Child::is_of_spheres(child)) all(engine_.blocks()[Child::index(child)]);
+    }
+
     HWY_ATTR void fill(std::uint32_t surface, float key) {
         const Floats f;
         const Words w;
@@ -340,11 +358,6 @@ private:
     }
 
     void give_up() { fill(not_told, 0); }
-
-    /// How far ahead of the tile a box may begin and still hold what is nearer than all that was met.
-    float end_of(const Frustum& frustum) const {
-        return rounded_up(t_of_key(grid_, least_key_) * frustum.pace * (1 + 0x1p-40));
-    }
 
     /// Tests a leaf's surfaces against all rays; true if all rays have now met something nearer than before.
     HWY_ATTR bool test(std::uint32_t leaf) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 
 #include "../certified/cases.hpp"
 #include "engine/kernels.hpp"
@@ -129,6 +130,37 @@ TEST_CASE("spheres and triangles that cross, touch and hide each other") {
         check("a heap from inside", looked_at(scene, 0.1 * rays.anywhere(), {1, 1, 0}, size));
         check("a heap in parallel", from_above(scene, {0, 0, 0}, rays.anywhere(), 4, size));
         check("from amidst in parallel", from_above(scene, {0, 0, 0}, 0.1 * rays.anywhere(), 4, size));
+    }
+}
+
+// The ground runs away from a tile's rays, so that all of them have met it when the boxes of what stands just before
+// its far end are still to be opened.
+TEST_CASE("small things just before what is far off") {
+    Rays rays(5);
+    Scene ground;
+    ground.triangles = {{{{{0, -4000, -1}, {4000, 4000, -1}, {0, 4000, -1}}}, {}},
+                        {{{{0, -4000, -1}, {4000, -4000, -1}, {4000, 4000, -1}}}, {}}};
+    ground.width = ground.height = size;
+    Scene parallel = ground, pinhole = ground;
+    pinhole.view = PinholeView{{0, 0, 0}, {1, 0, -0.03}, {0, 0, 1}, 3};
+    parallel.view = ParallelView{{0, -1, 0}, {0, 2.0 / size, 0}, {0, 0, 40.0 / size}, unit(Point{1, 0, -0.02})};
+    for (Scene& scene : {std::ref(pinhole), std::ref(parallel)}) {
+        const View seen = view(scene, {});
+        for (int i = 0; i < size * size / 8; ++i) {
+            const int x = static_cast<int>(rays.random.below(size)), y = static_cast<int>(rays.random.below(size));
+            const Ray<double> ray = pixel_ray(seen, x, y, size), next = pixel_ray(seen, x + 1, y, size);
+            const double t = -(1 + ray.P.z) / ray.D.z;
+            if (!(t > 0 && t < 4000)) continue;
+            const double before = t * (1 - rays.random.positive(-20, -6));
+            const Point middle = at(ray, before);
+            const double radius = 0.4 * length(at(next, before) - middle);
+            scene.triangles.push_back({{{middle + radius * rays.anywhere(), middle + radius * rays.anywhere(),
+                                         middle + radius * rays.anywhere()}},
+                                       {}});
+        }
+        // Within a tile t grows a hundredfold; in floats it is right to the digits of the least.
+        const Counts counts = check("ground", scene, false);
+        CHECK(counts.told > counts.pixels / 2);
     }
 }
 
