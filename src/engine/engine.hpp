@@ -56,6 +56,14 @@ public:
         return surface < spheres_.size() ? use(spheres_[surface]) : use(triangle(surface));
     }
 
+    /// Calls `use(number, surface)` with each of them, in the order in which they are kept.
+    template <class Use>
+    void for_each_surface(const Use& use) const {
+        for (std::size_t i = 0; i < spheres_.size(); ++i) use(i, spheres_[i]);
+        for (const Block& block : blocks_)
+            for (std::uint32_t at = 0; at < block.count; ++at) use(std::size_t{block.surface[at]}, block.triangle(at));
+    }
+
 private:
     std::vector<Sphere<double>> spheres_;
     std::vector<std::uint32_t> place_;  ///< of each triangle: its block, times 8, and where it stands there

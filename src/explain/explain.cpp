@@ -5,6 +5,8 @@
 #include "explain/hit_story.hpp"
 #include "explain/surface_story.hpp"
 #include "explain/verdict.hpp"
+#include "render/ready.hpp"
+#include "render/surfaces.hpp"
 
 namespace glassbox {
 
@@ -17,7 +19,7 @@ bool is_on_border(const Scene& scene, int x, int y) {
     return scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
 }
 
-void tell_surfaces(Story& story, const Scene& scene, const Surfaces<double>& surfaces, const Verdict& verdict,
+void tell_surfaces(Story& story, const Scene& scene, const engine::Engine& surfaces, const Verdict& verdict,
                    const std::vector<Rgb>& colors) {
     for (const std::size_t number : worth_telling(surfaces, verdict, most_surfaces)) {
         story::Surface surface = surface_story(surfaces, story.options, verdict, number);
@@ -35,9 +37,10 @@ story::Kind kind_of(const Scene& scene, std::size_t number) {
     return number < scene.spheres.size() + scene.triangles.size() ? story::Kind::triangle : story::Kind::mesh_face;
 }
 
-Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail) {
-    const Verdict said = verdict(scene, options, x, y);
-    const Surfaces<double> all = surfaces<double>(scene, options.stage);
+Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail, Job job) {
+    if (!job.engine) job.engine = ready(scene, options.stage, job.threads);
+    const engine::Engine& surfaces = *job.engine;
+    const Verdict said = verdict(scene, options, x, y, job);
     const std::vector<Rgb> colors = surface_colors(scene);
 
     Story story;
@@ -49,7 +52,7 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
     story.row = scene.height - 1 - y;
     story.options = options;
     story.ray = said.ray;
-    story.tested = all.spheres.size() + all.triangles.size();
+    story.tested = surfaces.size();
     story.met = said.met.size();
     story.traced = scene.background;
     if (options.stage == 1) {
@@ -58,13 +61,13 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
         story.ray_steps = std::move(steps);
         story.traced = rounded;
     } else if (said.nearest) {
-        auto [hit, color] = hit_story(scene, all, options, said, colors[said.nearest->surface], detail);
+        auto [hit, color] = hit_story(scene, surfaces, options, said, colors[said.nearest->surface], detail);
         story.hit = std::move(hit);
         story.traced = color;
     }
     story.border = is_on_border(scene, x, y);
     story.color = story.border ? *scene.border : story.traced;
-    if (detail == Detail::whole && options.stage > 1) tell_surfaces(story, scene, all, said, colors);
+    if (detail == Detail::whole && options.stage > 1) tell_surfaces(story, scene, surfaces, said, colors);
     return story;
 }
 

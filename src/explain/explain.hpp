@@ -1,5 +1,6 @@
 #pragma once
 #include "explain/story.hpp"
+#include "render/job.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -10,8 +11,9 @@ enum class Detail {
     whole,
 };
 
-/// The story of the pixel (x, y), 0 ≤ x < width and 0 ≤ y < height, as `render` computes it.
-Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole);
+/// The story of the pixel (x, y), 0 ≤ x < width and 0 ≤ y < height, as `render` computes it. Quick for large scenes,
+/// too, where the job brings their engine.
+Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole, Job job = {});
 
 /// What kind of surface has that number.
 story::Kind kind_of(const Scene& scene, std::size_t number);

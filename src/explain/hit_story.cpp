@@ -178,9 +178,9 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
 
 }  // namespace
 
-ToldHit hit_story(const Scene& scene, const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
                   Rgb own_color, Detail detail) {
-    return with_surface(surfaces, verdict.nearest->surface, [&]<class Shape>(const Shape& shape) {
+    return surfaces.with_surface(verdict.nearest->surface, [&]<class Shape>(const Shape& shape) {
         const auto tell = [&](const auto& rule) {
             return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
                 return told_hit<Real>(scene, options, verdict, own_color, detail, shape, rule);

@@ -1,7 +1,7 @@
 #pragma once
+#include "engine/engine.hpp"
 #include "explain/explain.hpp"
 #include "explain/verdict.hpp"
-#include "render/surfaces.hpp"
 
 namespace glassbox {
 
@@ -12,7 +12,7 @@ struct ToldHit {
 };
 
 /// `verdict` must have a nearest surface.
-ToldHit hit_story(const Scene& scene, const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
                   Rgb own_color, Detail detail);
 
 /// Stage 1: the ray's direction as a colour, by `ray_color`.

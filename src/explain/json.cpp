@@ -56,7 +56,7 @@ void add_test(Json& row, const TriangleTest& test) {
 
 Json json(const Surface& surface) {
     Json row = {{"surface", surface.number},    {"kind", word(surface.kind)},
-                {"color", json(surface.color)}, {"met", surface.fate == Fate::nearest || surface.fate == Fate::farther},
+                {"color", json(surface.color)}, {"met", is_met(surface.fate)},
                 {"fate", word(surface.fate)},   {"decided", surface.needed_exact ? "exact" : "filter"},
                 {"t", json(surface.t)}};
     std::visit([&](const auto& test) { add_test(row, test); }, surface.test);

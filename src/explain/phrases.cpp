@@ -38,11 +38,14 @@ std::string_view sign(const Number& n) {
 
 std::string why(const Surface& surface, const Story& story) {
     const auto t = [&] { return surface.t ? fmt::format("t = {}", short_number(surface.t->value)) : std::string(); };
+    const std::size_t hit = story.hit ? story.hit->surface : 0;
     switch (surface.fate) {
         case Fate::nearest:
             return fmt::format("met, nearest: {}", t());
+        case Fate::as_near:
+            return fmt::format("met, as near as surface {}, which is listed later and so is seen: {}", hit, t());
         case Fate::farther:
-            return fmt::format("met, but farther than surface {}: {}", story.hit ? story.hit->surface : 0, t());
+            return fmt::format("met, but farther than surface {}: {}", hit, t());
         case Fate::apart:
             return "missed: Δ < 0, the line passes the sphere";
         case Fate::outside:

@@ -28,6 +28,7 @@ struct Vector {
 /// What became of a surface, and why.
 enum class Fate {
     nearest,           ///< met, and nothing is met before
+    as_near,           ///< met, exactly as near as the nearest, which is listed later
     farther,           ///< met, behind the nearest
     apart,             ///< a sphere that the line does not touch: Δ < 0
     outside,           ///< a triangle that the line passes: side products of both signs
@@ -37,6 +38,9 @@ enum class Fate {
     beyond_tolerance,  ///< the tolerance rule refused it
     refused,           ///< the rule or the scalar refused it for reasons of its own
 };
+
+/// Whether the ray meets the surface.
+constexpr bool is_met(Fate fate) { return fate <= Fate::farther; }
 
 /// A sphere's roots by one rule; none where Δ < 0.
 struct RootPair {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <utility>
 
 #include "explain/heard.hpp"
@@ -51,8 +52,10 @@ double miss(const Ray<double>& ray, const Triangle<double>& triangle) {
     return nearness.miss;
 }
 
-bool is_met(const Verdict& verdict, std::size_t number) {
-    return std::any_of(verdict.met.begin(), verdict.met.end(), [&](const auto& hit) { return hit.surface == number; });
+/// Where the ray meets that surface; null if it does not.
+const Hit<long double>* met(const Verdict& verdict, std::size_t number) {
+    const auto hit = std::ranges::lower_bound(verdict.met, number, {}, &Hit<long double>::surface);
+    return hit != verdict.met.end() && hit->surface == number ? &*hit : nullptr;
 }
 
 /// A surface tested by a rule, each operation of it on tape.
@@ -166,56 +169,76 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     tested.replay();
     if (tested.crossing.t.tape()) result.t = tested(tested.crossing.t);  // if the rule came to that
     result.steps = told_steps(tested.tape, tested.checked);
-    const auto met = std::find_if(verdict.met.begin(), verdict.met.end(),
-                                  [&](const Hit<double>& hit) { return hit.surface == number; });
-    if (met == verdict.met.end()) {
+    const Hit<long double>* const hit = met(verdict, number);
+    if (!hit) {
         result.fate = why_missed(test, result.t, options);
         if (result.fate != Fate::behind) result.t.reset();
         return result;
     }
     result.fate = verdict.nearest && verdict.nearest->surface == number ? Fate::nearest : Fate::farther;
-    if (!result.t || result.t->value != met->t) {
+    const auto t = static_cast<double>(hit->t);
+    if (!result.t || result.t->value != t) {
         const std::optional<Exact> truth = exact_crossing(ray, shape, rule);
-        result.t = truth ? checked(met->t, truth->to_bounded()) : unchecked(met->t);
+        result.t = truth ? checked(t, truth->to_bounded()) : unchecked(t);
         if (!truth) result.t->known = Known::not_at_all;
     }
     return result;
 }
 
+/// Calls `use(shape, rule)` with a surface and the rule that tests it.
+template <class Use>
+auto with_rule(const engine::Engine& surfaces, std::size_t number, const Options& options, const Use& use) {
+    return surfaces.with_surface(number, [&]<class Shape>(const Shape& shape) {
+        const auto by = [&](const auto& rule) { return use(shape, rule); };
+        if constexpr (std::is_same_v<Shape, Sphere<double>>) return std::visit(by, options.sphere_rule);
+        else return std::visit(by, options.triangle_rule);
+    });
+}
+
+/// Whether two surfaces are met at the same t: truly, where the renderer proves it, else as far as its scalar tells.
+bool are_as_near(const engine::Engine& surfaces, const Options& options, const Verdict& verdict, std::size_t one,
+                 std::size_t other) {
+    if (!is_proven(options.scalar)) return met(verdict, one)->t == met(verdict, other)->t;
+    const auto truth = [&](std::size_t number) {
+        return with_rule(surfaces, number, options,
+                         [&](const auto& shape, const auto& rule) { return exact_crossing(verdict.ray, shape, rule); });
+    };
+    const std::optional<Exact> t = truth(one), other_t = truth(other);
+    return t && other_t && compare(*t, *other_t) == 0;
+}
+
 }  // namespace
 
-std::vector<std::size_t> worth_telling(const Surfaces<double>& surfaces, const Verdict& verdict, std::size_t most) {
-    const std::size_t count = surfaces.spheres.size() + surfaces.triangles.size();
-    std::vector<std::pair<double, std::size_t>> by_miss(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double by = is_met(verdict, i) ? -1
-                          : count <= most
-                              ? 0
-                              : with_surface(surfaces, i, [&](const auto& s) { return miss(verdict.ray, s); });
-        by_miss[i] = {by, i};
-    }
-    std::sort(by_miss.begin(), by_miss.end());
+std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const Verdict& verdict, std::size_t most) {
     std::vector<std::size_t> chosen;
-    for (const auto& [by, i] : by_miss)
-        if (by < 0 || chosen.size() < most) chosen.push_back(i);
+    for (const auto& hit : verdict.met) chosen.push_back(hit.surface);
+    if (chosen.size() < most) {
+        // The nearest misses so far, the farthest of them on top.
+        std::priority_queue<std::pair<double, std::size_t>> missed;
+        surfaces.for_each_surface([&](std::size_t number, const auto& surface) {
+            if (met(verdict, number)) return;
+            const std::pair by{surfaces.size() <= most ? 0 : miss(verdict.ray, surface), number};
+            if (missed.size() == most - chosen.size()) {
+                if (missed.top() < by) return;
+                missed.pop();
+            }
+            missed.push(by);
+        });
+        for (; !missed.empty(); missed.pop()) chosen.push_back(missed.top().second);
+    }
     std::sort(chosen.begin(), chosen.end());
     return chosen;
 }
 
-Surface surface_story(const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+Surface surface_story(const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
                       std::size_t number) {
-    const auto tell = [&](const auto& shape, const auto& rules) {
-        const auto by = [&](const auto& rule) {
-            return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
-                return tell_of<Real>(verdict.ray, shape, rule, options, verdict, number);
-            });
-        };
-        return std::visit(by, rules);
-    };
-    Surface result = with_surface(surfaces, number, [&]<class Shape>(const Shape& shape) {
-        if constexpr (std::is_same_v<Shape, Sphere<double>>) return tell(shape, options.sphere_rule);
-        else return tell(shape, options.triangle_rule);
+    Surface result = with_rule(surfaces, number, options, [&](const auto& shape, const auto& rule) {
+        return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
+            return tell_of<Real>(verdict.ray, shape, rule, options, verdict, number);
+        });
     });
+    if (result.fate == Fate::farther && are_as_near(surfaces, options, verdict, number, verdict.nearest->surface))
+        result.fate = Fate::as_near;
     const auto& exact = verdict.needed_exact;
     result.needed_exact = std::find(exact.begin(), exact.end(), number) != exact.end();
     return result;

@@ -2,18 +2,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/engine.hpp"
 #include "explain/story.hpp"
 #include "explain/verdict.hpp"
-#include "render/surfaces.hpp"
 
 namespace glassbox {
 
 /// The numbers of the surfaces to tell of: those met, and then those that the ray misses by the least, at most `most`
 /// in all; in the order of their numbers.
-std::vector<std::size_t> worth_telling(const Surfaces<double>& surfaces, const Verdict& verdict, std::size_t most);
+std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const Verdict& verdict, std::size_t most);
 
 /// What became of one surface. Its kind and colour are left to fill in.
-story::Surface surface_story(const Surfaces<double>& surfaces, const Options& options, const Verdict& verdict,
+story::Surface surface_story(const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
                              std::size_t number);
 
 }  // namespace glassbox

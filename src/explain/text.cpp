@@ -101,7 +101,7 @@ void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
 
 /// Of many surfaces only those met are told in full.
 bool is_told_in_full(const Surface& surface, const Story& story) {
-    return story.not_listed == 0 || surface.fate == Fate::nearest || surface.fate == Fate::farther;
+    return story.not_listed == 0 || is_met(surface.fate);
 }
 
 bool is_sphere(const Surface& surface) { return std::holds_alternative<SphereTest>(surface.test); }

@@ -1,5 +1,7 @@
 #include "explain/verdict.hpp"
 
+#include <algorithm>
+
 #include "render/view.hpp"
 #include "render/with_tracer.hpp"
 
@@ -18,7 +20,7 @@ struct Witness {
 
     template <class Real>
     void operator()(told::Met, std::size_t surface, const Real& t) const {
-        verdict.met.push_back({surface, static_cast<double>(t)});
+        verdict.met.push_back({surface, static_cast<long double>(t)});
     }
 
     void operator()(told::Undecided, std::size_t surface) const { verdict.needed_exact.push_back(surface); }
@@ -36,16 +38,17 @@ struct Witness {
 
 }  // namespace
 
-Verdict verdict(const Scene& scene, const Options& options, int x, int y) {
+Verdict verdict(const Scene& scene, const Options& options, int x, int y, const Job& job) {
     const View seen = view(scene, options);
     Verdict result;
     result.ray = pixel_ray(seen, x, y, scene.height);
-    with_tracer<Witness>(scene, options, reach(seen, scene.width, scene.height), {},
+    with_tracer<Witness>(scene, options, reach(seen, scene.width, scene.height), job,
                          [&]<class Search>(const Tracer<Search>& tracer) {
                              Witness witness{result};
                              const auto ray = convert<typename Search::Number>(result.ray);
                              result.color = tracer.color(ray, x, scene.height - 1 - y, witness);
                          });
+    std::ranges::sort(result.met, {}, &Hit<long double>::surface);  // the engine meets them in another order
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <ray.hpp>
 #include <rgb.hpp>
 
+#include "render/job.hpp"
 #include "render/options.hpp"
 #include "scene/scene.hpp"
 
@@ -18,10 +19,10 @@ struct Verdict {
     Rgb color;
     std::optional<Hit<double>> nearest;
     Vec3<double> normal;
-    std::vector<Hit<double>> met;           ///< all surfaces met, in the order of their numbers
+    std::vector<Hit<long double>> met;      ///< all surfaces met, in the order of their numbers
     std::vector<std::size_t> needed_exact;  ///< those that error bounds could not decide
 };
 
-Verdict verdict(const Scene& scene, const Options& options, int x, int y);
+Verdict verdict(const Scene& scene, const Options& options, int x, int y, const Job& job);
 
 }  // namespace glassbox

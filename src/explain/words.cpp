@@ -71,6 +71,8 @@ std::string_view word(story::Fate fate) {
     switch (fate) {
         case Fate::nearest:
             return "nearest";
+        case Fate::as_near:
+            return "as near";
         case Fate::farther:
             return "farther";
         case Fate::apart:

@@ -7,7 +7,7 @@ BEGIN {
     allow("engine", "scene numerics")
     allow("render", "engine scene numerics")
     allow("output", "render scene numerics")
-    allow("explain", "render scene numerics")
+    allow("explain", "render engine scene numerics")
     allow("viewer", "learn explain output render engine scene numerics")
     allow("learn", "explain output render scene numerics")
     allow("bench", "render engine scene numerics")

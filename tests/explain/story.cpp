@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "explain/explain.hpp"
+#include "render/option_names.hpp"
 #include "scene/scene_file.hpp"
 #include "support/ulps.hpp"
 
@@ -85,7 +86,7 @@ TEST_CASE("the middle of the green sphere") {
 TEST_CASE("a corner that two triangles share") {
     const Story story = tell(350, 100);
     CHECK(story.met == 2);
-    CHECK(story.surfaces[2].fate == Fate::farther);
+    CHECK(story.surfaces[2].fate == Fate::as_near);
     CHECK(story.surfaces[3].fate == Fate::edge_on);
     CHECK(story.surfaces[4].fate == Fate::nearest);
     CHECK(story.surfaces[5].fate == Fate::outside);
@@ -209,8 +210,42 @@ TEST_CASE("of many surfaces those met are told, and those missed by the least") 
     CHECK(story.tested == 1255);
     CHECK(story.not_listed == 1235);
     std::size_t met = 0;
-    for (const Surface& surface : story.surfaces) met += surface.fate == Fate::nearest || surface.fate == Fate::farther;
+    for (const Surface& surface : story.surfaces) met += is_met(surface.fate);
     CHECK(met == story.met);
+}
+
+// The line y = z = 250 passes the three spheres' middles, of radius 10: it meets them at t = 500 − x − 10, and the
+// first two, which are the same, at the same t. 0.1 apart is farther, in every scalar.
+TEST_CASE("of surfaces at the same t the one listed last is seen; a little farther is farther") {
+    Scene scene;
+    scene.spheres = {{{100, 250, 250}, 10, {}}, {{100, 250, 250}, 10, {}}, {{99.9, 250, 250}, 10, {}}};
+    for (const Named<Scalar>& scalar : scalars) {
+        CAPTURE(scalar.name);
+        Options options;
+        options.scalar = scalar.value;
+        const Story story = explain(scene, options, 250, 249);
+        REQUIRE(story.surfaces.size() == 3);
+        CHECK(story.surfaces[0].fate == Fate::as_near);
+        CHECK(story.surfaces[1].fate == Fate::nearest);
+        CHECK(story.surfaces[2].fate == Fate::farther);
+    }
+}
+
+// 3000 triangles, one behind the other along the ray: more than the plain loop is used for. They lie at x = 0, −1, …,
+// so t = 500 + i.
+TEST_CASE("surfaces met are told in the order of their numbers, whatever order they are found in") {
+    Scene scene;
+    for (int i = 0; i < 3000; ++i) {
+        const double x = -(i * 7 % 3000);
+        scene.triangles.push_back({{{{x, 200, 200}, {x, 300, 200}, {x, 250, 300}}}, {}});
+    }
+    const Story story = explain(scene, {}, 250, 249);
+    REQUIRE(story.surfaces.size() == 3000);
+    for (std::size_t i = 0; i < 3000; ++i) {
+        REQUIRE(story.surfaces[i].number == i);
+        REQUIRE(story.surfaces[i].t->value == 500 + static_cast<double>(i * 7 % 3000));
+    }
+    CHECK(story.hit->surface == 0);
 }
 
 TEST_CASE("every bound of a story holds") {

@@ -36,8 +36,9 @@ TEST_CASE("a sphere's pixel") {
 
 TEST_CASE("a triangle's pixel, seen through a corner") {
     check_has(text("levental-2014.toml", 350, 399),
-              {"met, but farther than surface 4", "met, nearest: t = 300", "all side products are 0", "a = 2500",
-               "b = 0 exact", "the paper's rule says hit", "the paper's rule says miss", "weights  A: 1  B: 0  C: 0"});
+              {"met, as near as surface 4, which is listed later and so is seen: t = 300", "met, nearest: t = 300",
+               "all side products are 0", "a = 2500", "b = 0 exact", "the paper's rule says hit",
+               "the paper's rule says miss", "weights  A: 1  B: 0  C: 0"});
 }
 
 TEST_CASE("whose arithmetic it is") {

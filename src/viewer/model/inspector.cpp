@@ -179,7 +179,7 @@ InspectorPart surface_part(const Story& story, std::size_t i) {
     InspectorPart result = part(fmt::format("{} {}", word(surface.kind), surface.number), why(surface, story));
     if (surface.needed_exact) result.note += "; decided in exact arithmetic";
     result.number = count(path + "/surface", static_cast<double>(surface.number));
-    result.passed = surface.fate == Fate::nearest || surface.fate == Fate::farther;
+    result.passed = is_met(surface.fate);
     result.color = surface.color;
     result.open = surface.fate == Fate::nearest;
     result.surface = i;

@@ -129,7 +129,7 @@ private:
         const Function rule = rule_of(surface);
         add(group_ + ", is tested", {}, rule);
         tell_steps(surface.steps, row, [](std::size_t) { return true; });
-        const bool met = surface.fate == Fate::nearest || surface.fate == Fate::farther;
+        const bool met = is_met(surface.fate);
         std::string verdict =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
         if (surface.needed_exact) verdict += ", decided in exact arithmetic";
