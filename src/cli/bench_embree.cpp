@@ -39,7 +39,7 @@ std::size_t differences(const NearestHits& one, const NearestHits& other) {
 /// What the plain loop says of every so-manieth ray, as many as some seconds allow.
 std::pair<std::size_t, std::size_t> differences_from_plain(const Scene& scene, const NearestHits& hits,
                                                            const Job& job) {
-    const std::size_t pixels = hits.surface.size(), triangles = scene.meshes.front().faces.size();
+    const std::size_t pixels = hits.surface.size(), triangles = scene.meshes.front()->faces.size();
     const std::size_t step = std::max<std::size_t>(1, pixels * triangles / 4'000'000'000 * 2 + 1);
     const View seen = view(scene, {});
     const CertifiedSearch<Stable, Pluecker> plain(surfaces<double>(scene, 5), {}, {},
@@ -71,7 +71,7 @@ void bench_against_embree(int runs, const std::stop_token& stop) {
     fmt::print("Nanoseconds a ray; {} runs of each, in turn: median (least ... greatest)\n", runs);
     fmt::print("Glassbox's vectors are {}; Embree is {}\n", engine::vectors_used(), EmbreeScene::version());
     for (const auto& [name, scene] : scenes) {
-        const auto triangles = static_cast<double>(scene.meshes.front().faces.size());
+        const auto triangles = static_cast<double>(scene.meshes.front()->faces.size());
         fmt::print("\n{} of {} triangles, {} x {} pixels\n", name, triangles, scene.width, scene.height);
         const auto start = std::chrono::steady_clock::now();
         const auto engine = ready(scene, 5);

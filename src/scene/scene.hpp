@@ -11,6 +11,8 @@
 #include <shading.hpp>
 #include <vec3.hpp>
 
+#include "scene/shared.hpp"
+
 namespace glassbox {
 
 /// Rays that start on the viewing plane; `corner` is the bottom-left pixel's start. The defaults are the paper's.
@@ -67,7 +69,7 @@ struct Scene {
 
     std::vector<ColoredSphere> spheres;
     std::vector<ColoredTriangle> triangles;
-    std::vector<Mesh> meshes;
+    std::vector<Shared<Mesh>> meshes;
 };
 
 /// The largest picture that can be asked for: pixels on a side, and pixels in all.

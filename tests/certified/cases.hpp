@@ -126,7 +126,7 @@ inline Shapes::Shape placed(Shapes::Shape shape, double scale, double sizes_away
 
 inline Scene scene_of(const Shapes::Shape& shape) {
     Scene scene;
-    scene.meshes = {{shape.vertices, shape.faces, {}}};
+    scene.meshes = {Mesh{shape.vertices, shape.faces, {}}};
     return scene;
 }
 
@@ -240,7 +240,7 @@ inline std::vector<Ray<double>> grid_of_starts(const Ray<double>& first, double 
 inline std::vector<Case> grids() {
     const auto quad = [](const Point& A, const Point& B, const Point& C, const Point& D) {
         Scene scene;
-        scene.meshes = {{{A, B, C, D}, {{0, 1, 2}, {0, 2, 3}}, {}}};
+        scene.meshes = {Mesh{{A, B, C, D}, {{0, 1, 2}, {0, 2, 3}}, {}}};
         return scene;
     };
     const Scene flat = quad({0, 0, 0}, {24, 0, 0}, {24, 24, 0}, {0, 24, 0});
@@ -465,7 +465,7 @@ inline Case all_sizes() {
         const double scale = std::ldexp(1, static_cast<int>(rays.random.below(1100)) - 550);
         const Shapes::Shape there = placed(Shapes::tetrahedron(), scale, 0, i % 2 == 0);
         if (i < 6) {
-            c.scene.meshes.push_back({there.vertices, there.faces, {}});
+            c.scene.meshes.push_back(Mesh{there.vertices, there.faces, {}});
             c.scene.spheres.push_back({scale * rays.anywhere(), 0.3 * scale, {}});
         }
         Ray<double> ray = rays.towards(rays.on_a_face(there), scale);

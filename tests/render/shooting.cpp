@@ -21,7 +21,7 @@ Scene numbered_scene() {
     Scene scene;
     scene.spheres = {{{0, 0, 0}, 1, {}}};
     scene.triangles = {{{Vec3<double>{0, 0, -5}, {4, 0, -5}, {0, 4, -5}}, {}}};
-    scene.meshes = {{{{0, 0, -7}, {4, 0, -7}, {4, 4, -7}, {0, 4, -7}}, {{0, 1, 2}, {0, 2, 3}}, {}}};
+    scene.meshes = {Mesh{{{0, 0, -7}, {4, 0, -7}, {4, 4, -7}, {0, 4, -7}}, {{0, 1, 2}, {0, 2, 3}}, {}}};
     return scene;
 }
 

@@ -110,9 +110,9 @@ color = [0, 128, 255]
     CHECK(scene.triangles[0].vertices[2] == Vec3<double>{7, 8, -9000});
     CHECK(scene.triangles[0].color == Rgb{8, 9, 10});
     REQUIRE(scene.meshes.size() == 1);
-    CHECK(scene.meshes[0].vertices.size() == 3);
-    CHECK(scene.meshes[0].faces.size() == 1);
-    CHECK(scene.meshes[0].color == Rgb{0, 128, 255});
+    CHECK(scene.meshes[0]->vertices.size() == 3);
+    CHECK(scene.meshes[0]->faces.size() == 1);
+    CHECK(scene.meshes[0]->color == Rgb{0, 128, 255});
 }
 
 TEST_CASE("A pinhole view: all its keys, and what is left out") {
@@ -145,7 +145,7 @@ TEST_CASE("Surfaces without a colour are light grey") {
                                                 "[[mesh]]\nfile = 'a.obj'\n"));
     CHECK(scene.spheres.at(0).color == Rgb{200, 200, 200});
     CHECK(scene.triangles.at(0).color == Rgb{200, 200, 200});
-    CHECK(scene.meshes.at(0).color == Rgb{200, 200, 200});
+    CHECK(scene.meshes.at(0)->color == Rgb{200, 200, 200});
 }
 
 TEST_CASE("Surfaces keep their order in the file, whatever stands between them") {
