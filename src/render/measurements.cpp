@@ -43,28 +43,9 @@ constexpr Measurement between(double low, double high, Measurement measurement) 
     return measurement;
 }
 
-constexpr Measurement with_truth(Measurement measurement) {
-    measurement.needs.truth = true;
-    return measurement;
-}
-
-constexpr Measurement with_triangles(Measurement measurement) {
-    measurement.needs.triangles = true;
-    return measurement;
-}
-
-constexpr Measurement with_drift(Measurement measurement) {
-    measurement.needs.drift = true;
-    return measurement;
-}
-
-constexpr Measurement with_all_hits(Measurement measurement) {
-    measurement.needs.all_hits = true;
-    return measurement;
-}
-
-constexpr Measurement with_boxes(Measurement measurement) {
-    measurement.needs.boxes = true;
+template <bool Needs::*what>
+constexpr Measurement needing(Measurement measurement) {
+    measurement.needs.*what = true;
     return measurement;
 }
 
@@ -77,7 +58,8 @@ constexpr Scale sequential = Scale::sequential, diverging = Scale::diverging;
 
 constexpr Measurement all[] = {
     number("tests", "", "how many surfaces were tested against the pixel's ray", sequential, read<&P::tests>),
-    with_all_hits(number("hits", "", "how many surfaces the ray meets ahead of its start", sequential, read<&P::hits>)),
+    needing<&Needs::all_hits>(
+        number("hits", "", "how many surfaces the ray meets ahead of its start", sequential, read<&P::hits>)),
     number("depth", "|D|", "t of the nearest surface, in lengths of the ray's direction", sequential, read<&P::t>),
     Measurement{"normal",
                 "",
@@ -100,30 +82,34 @@ constexpr Measurement all[] = {
     number("discriminant", "length² |D|²",
            "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed", diverging,
            read<&P::discriminant>),
-    with_triangles(number("side", "", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line",
-                          diverging, read<&T::side>)),
-    with_triangles(number("margin", "log10",
-                          "the deciding side product over its error bound: below 0 it decides nothing", diverging,
-                          read<&T::margin>)),
+    needing<&Needs::triangles>(number("side", "",
+                                      "the smallest side product over the sum of its terms' sizes: 0 on an edge's line",
+                                      diverging, read<&T::side>)),
+    needing<&Needs::triangles>(number("margin", "log10",
+                                      "the deciding side product over its error bound: below 0 it decides nothing",
+                                      diverging, read<&T::margin>)),
     number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", sequential,
            read<&P::undecided>),
     between(0, 3,
-            with_truth(number("verdict", "", "0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface", sequential,
-                              read<&P::verdict>))),
-    with_contour(
-        1, with_triangles(number("deficit", "log10",
-                                 "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
-                                 sequential, read<&T::deficit>))),
-    with_truth(number("bits-lost", "bits", "how many of the last bits of t are not the true ones: log2(ulps + 1)",
-                      sequential, read<&P::bits_lost>)),
-    with_triangles(number("identity", "u P", "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding",
-                          sequential, read<&T::identity>)),
-    with_drift(number("drift", "length", "how far the ray's start drifts when turns are added up step by step",
-                      sequential, read<&P::drift>)),
-    with_boxes(
+            needing<&Needs::truth>(number("verdict", "", "0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface",
+                                          sequential, read<&P::verdict>))),
+    with_contour(1, needing<&Needs::triangles>(
+                        number("deficit", "log10",
+                               "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
+                               sequential, read<&T::deficit>))),
+    needing<&Needs::truth>(number("bits-lost", "bits",
+                                  "how many of the last bits of t are not the true ones: log2(ulps + 1)", sequential,
+                                  read<&P::bits_lost>)),
+    needing<&Needs::triangles>(number("identity", "u P",
+                                      "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding",
+                                      sequential, read<&T::identity>)),
+    needing<&Needs::drift>(number("drift", "length",
+                                  "how far the ray's start drifts when turns are added up step by step", sequential,
+                                  read<&P::drift>)),
+    needing<&Needs::boxes>(
         number("nodes", "", "how many nodes of the hierarchy of boxes the ray visited", sequential, read<&P::nodes>)),
-    with_boxes(number("boxes-missed", "", "how many boxes of these nodes it missed, or had no need to open", sequential,
-                      read<&P::boxes_missed>)),
+    needing<&Needs::boxes>(number("boxes-missed", "", "how many boxes of these nodes it missed, or had no need to open",
+                                  sequential, read<&P::boxes_missed>)),
 };
 
 }  // namespace
