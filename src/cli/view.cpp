@@ -57,6 +57,8 @@ void print(const Quickness& q) {
     row("the slowest frame", q.slowest_frame, "");
     row("from a click to the inspector (median)", q.pin_to_inspector, "wanted: under 50");
     row("from a change to a first picture (median)", q.slider_to_picture, "wanted: under 50");
+    fmt::print("  {:<52} {:>7.1f} /s   wanted: over 20\n", "pictures, while the view turns", q.turning);
+    fmt::print("  {:<52} {:>7.1f} %\n", "their width, of the whole picture's", 100 * q.turning_size);
     fmt::print("  {:<52} {:>7.2f} %    wanted: under 2\n", "of a core, while nothing happens", 100 * q.idle);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <stop_token>
@@ -17,6 +18,8 @@ struct Job {
     std::atomic<std::int64_t>* done = nullptr;  ///< counts finished pixels or rays, if anyone watches
     /// The scene's surfaces of the stage, if they were made ready before; else they are when they are needed.
     std::shared_ptr<const engine::Engine> engine = {};
+    /// Asked to stop, the work goes on until this moment all the same.
+    std::chrono::steady_clock::time_point not_before = {};
 };
 
 /// Thrown by work that was asked to stop before it was done.

@@ -22,9 +22,9 @@ void run_parallel(const Range& range, const Job& job, const Body& body) {
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(range, body, tbb::simple_partitioner{}); });
 }
 
-/// Throws Cancelled if the job was asked to stop.
+/// Throws Cancelled if the job was asked to stop, and may.
 inline void keep_going(const Job& job) {
-    if (job.stop.stop_requested()) throw Cancelled{};
+    if (job.stop.stop_requested() && std::chrono::steady_clock::now() >= job.not_before) throw Cancelled{};
 }
 
 /// Calls `work(x, y)` once for every pixel, tile by tile on the job's threads, in no fixed order. Throws Cancelled at

@@ -25,6 +25,9 @@ auto with_surface(const Surfaces<Real>& surfaces, std::size_t number, const Use&
     return number < spheres ? use(surfaces.spheres[number]) : use(surfaces.triangles[number - spheres]);
 }
 
+/// From this stage on all surfaces are known.
+inline constexpr int stage_of_all_surfaces = 3;
+
 /// How many spheres, and how many triangles a stage knows.
 inline std::pair<std::size_t, std::size_t> count_surfaces(const Scene& scene, int stage) {
     std::size_t faces = 0;

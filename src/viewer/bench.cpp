@@ -50,6 +50,27 @@ void move_light(ViewerState& state) {
     state.setup.amend(setup);
 }
 
+/// What is seen while the view turns.
+struct Turning {
+    double pictures = 0;  ///< a second
+    double size = 0;      ///< their width, as a part of the whole picture's
+};
+Turning turn_for_a_while(HiddenViewer& viewer) {
+    constexpr double seconds = 3, a_frame = 1.0 / 60;
+    viewer.settle();
+    int pictures = 0;
+    double sizes = 0;
+    const auto start = Clock::now();
+    for (int frames = 1; seconds_since(start) < seconds; ++frames) {
+        viewer.state().setup.amend(turned(viewer.state().setup.now(), Axis::z, 1));
+        const std::uint64_t before = viewer.results().picture_serial;
+        viewer.frame();
+        if (viewer.results().picture_serial != before) ++pictures, sizes += 1.0 / viewer.results().picture.factor;
+        std::this_thread::sleep_until(start + std::chrono::duration<double>(frames * a_frame));
+    }
+    return {pictures / seconds_since(start), pictures > 0 ? sizes / pictures : 0};
+}
+
 /// Processor time while only the background's threads are there to use any.
 double idle_use() {
     constexpr std::chrono::seconds watched{2};
@@ -96,8 +117,15 @@ Quickness quickness(ViewerState state, WindowSize size) {
         pinned.push_back(time_until_new(viewer, &Results::story_serial, [&] { viewer.state().pinned = next; }));
         changed.push_back(time_until_new(viewer, &Results::picture_serial, [&] { move_light(viewer.state()); }));
     }
+    const Turning turning = turn_for_a_while(viewer);
     viewer.settle();
-    return {median(drawn), *std::max_element(drawn.begin(), drawn.end()), median(pinned), median(changed), idle_use()};
+    return {.frame = median(drawn),
+            .slowest_frame = *std::max_element(drawn.begin(), drawn.end()),
+            .pin_to_inspector = median(pinned),
+            .slider_to_picture = median(changed),
+            .turning = turning.pictures,
+            .turning_size = turning.size,
+            .idle = idle_use()};
 }
 
 std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int edits) {

@@ -6,11 +6,13 @@
 
 namespace glassbox {
 
-/// How quickly the interface answers, in seconds.
+/// How quickly the interface answers; times in seconds.
 struct Quickness {
     double frame = 0, slowest_frame = 0;  ///< the median, while a picture is rendered in the background
     double pin_to_inspector = 0;          ///< from a click to the frame that shows the story; the median
     double slider_to_picture = 0;         ///< from a change of the light to the frame that shows a first picture
+    double turning = 0;                   ///< pictures a second while the view turns, a little at every frame
+    double turning_size = 0;              ///< their width, as a part of the whole picture's
     double idle = 0;                      ///< part of a core that is used while nothing happens
 };
 

@@ -39,3 +39,15 @@ TEST_CASE("work that is asked to stop throws Cancelled") {
     CHECK_THROWS_AS(render(scene, {}, {2, source.get_token(), &done}), Cancelled);
     CHECK(done < std::int64_t{8000} * 8000);
 }
+
+TEST_CASE("work that may not stop yet goes on") {
+    Scene scene = read_scene(SCENES "/levental-2014.toml");
+    scene.width = scene.height = 50;
+    std::stop_source source;
+    source.request_stop();
+    Job job;
+    job.stop = source.get_token();
+    CHECK_THROWS_AS(render(scene, {}, job), Cancelled);
+    job.not_before = std::chrono::steady_clock::now() + std::chrono::hours(1);
+    CHECK(render(scene, {}, job).pixels == render(scene, {}).pixels);
+}

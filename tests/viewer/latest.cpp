@@ -49,6 +49,25 @@ TEST_CASE("Only the newest counts: what runs is stopped, and what it delivers la
     CHECK(awaited(latest) == 2);
 }
 
+TEST_CASE("What goes on with something takes its place, too, but what that has brought, or yet brings, is shown") {
+    Latest<int> latest([] {});
+    std::atomic<bool> began = false;
+    latest.ask([&](const std::stop_token& stop, const auto& deliver) {
+        began = true;
+        while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
+        deliver(1);
+    });
+    while (!began) std::this_thread::sleep_for(1ms);
+    std::atomic<bool> first_seen = false;
+    latest.ask_on([&](const std::stop_token&, const auto& deliver) {
+        while (!first_seen) std::this_thread::sleep_for(1ms);
+        deliver(2);
+    });
+    CHECK(awaited(latest) == 1);
+    first_seen = true;
+    CHECK(awaited(latest) == 2);
+}
+
 TEST_CASE("Work that fails says why, once something newer is asked no more") {
     Latest<int> latest([] {});
     latest.ask([](const std::stop_token&, const auto&) { throw std::runtime_error("too large"); });

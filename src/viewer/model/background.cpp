@@ -12,9 +12,13 @@ namespace glassbox {
 
 namespace {
 
-Job background_job(const std::stop_token& stop, std::atomic<std::int64_t>* done = nullptr) {
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    return {std::max(1, cores - 1), stop, done};
+int background_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+
+/// Asks for other work; if it goes on with what was asked before, what yet comes of that is shown, too.
+template <class Worker, class Work>
+void ask(Worker& worker, Work work, bool goes_on) {
+    if (goes_on) worker.latest.ask_on(std::move(work));
+    else worker.latest.ask(std::move(work));
 }
 
 bool lies_on(const Scene& scene, Pixel pixel) {
@@ -25,6 +29,7 @@ bool lies_on(const Scene& scene, Pixel pixel) {
 
 Background::Background(const std::function<void()>& wake)
     : pixels_done_(std::make_shared<std::atomic<std::int64_t>>(0)),
+      engine_(std::make_shared<KeptEngine>()),
       picture_(wake),
       other_(wake),
       maker_(std::make_shared<learn::mine::Maker>()),
@@ -33,18 +38,27 @@ Background::Background(const std::function<void()>& wake)
       story_(wake),
       compared_(wake) {}
 
+Job Background::background_job(KeptEngine& engine, const Seen& seen, const std::stop_token& stop) {
+    Job job{.threads = background_threads(), .stop = stop};
+    job.engine = engine.of(seen.scene, seen.setup.options.stage, job.threads);
+    return job;
+}
+
 void Background::ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted) {
     if (worker.asked == seen) return;
+    const bool goes_on = worker.asked && seen && worker.asked->scene == seen->scene;
     worker.asked = seen;
     if (!seen) return worker.latest.cancel();
-    worker.latest.ask(
-        [seen = *seen, done = counted ? pixels_done_ : nullptr](const std::stop_token& stop, const auto& deliver) {
-            coarse_to_fine(applied(*seen.scene, seen.setup), [&](const Scene& scene, int factor) {
-                if (done) *done = 0;
-                const Job job = background_job(stop, factor == 1 ? done.get() : nullptr);
-                deliver({std::make_shared<const Image>(render(scene, seen.setup.options, job)), factor});
-            });
-        });
+    auto work = [seen = *seen, engine = engine_, pace = worker.pace, done = counted ? pixels_done_ : nullptr](
+                    const std::stop_token& stop, const auto& deliver) {
+        if (done) *done = 0;
+        const auto picture = [&](const Scene& scene, int factor, Job job) {
+            job.done = factor == 1 ? done.get() : nullptr;
+            return Picture{std::make_shared<const Image>(render(scene, seen.setup.options, job)), factor};
+        };
+        coarse_to_fine(applied(*seen.scene, seen.setup), background_job(*engine, seen, stop), *pace, picture, deliver);
+    };
+    ask(worker, std::move(work), goes_on);
 }
 
 void Background::ask_for_mine(const std::optional<SeenMine>& wanted) {
@@ -83,25 +97,31 @@ void Background::update_mine(const ViewerState& state, const Seen& seen, Results
 
 void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
     if (overlay_.asked == wanted) return;
+    const bool goes_on = overlay_.asked && wanted && overlay_.asked->seen.scene == wanted->seen.scene &&
+                         overlay_.asked->what == wanted->what;
     overlay_.asked = wanted;
     if (!wanted) return overlay_.latest.cancel();
-    overlay_.latest.ask([wanted = *wanted](const std::stop_token& stop, const auto& deliver) {
-        const auto& [seen, what] = wanted;
-        coarse_to_fine(applied(*seen.scene, seen.setup), [&, what = what](const Scene& scene, int factor) {
+    auto work = [wanted = *wanted, engine = engine_, pace = overlay_.pace](const std::stop_token& stop,
+                                                                           const auto& deliver) {
+        const Seen& seen = wanted.seen;
+        const auto measured = [&](const Scene& scene, int factor, const Job& job) {
             std::vector<Plane> planes =
-                measure(scene, wanted.seen.setup.options, std::span(&what, 1), background_job(stop)).front();
-            deliver(std::make_shared<const MeasuredPlanes>(MeasuredPlanes{what, std::move(planes), factor}));
-        });
-    });
+                measure(scene, wanted.seen.setup.options, std::span(&wanted.what, 1), job).front();
+            return std::make_shared<const MeasuredPlanes>(MeasuredPlanes{wanted.what, std::move(planes), factor});
+        };
+        coarse_to_fine(applied(*seen.scene, seen.setup), background_job(*engine, seen, stop), *pace, measured, deliver);
+    };
+    ask(overlay_, std::move(work), goes_on);
 }
 
 void Background::ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted) {
     if (worker.asked == wanted) return;
     worker.asked = wanted;
     if (!wanted) return worker.latest.cancel();
-    worker.latest.ask([wanted = *wanted](const std::stop_token&, const auto& deliver) {
+    worker.latest.ask([wanted = *wanted, engine = engine_](const std::stop_token& stop, const auto& deliver) {
         const auto& [seen, pixel, file] = wanted;
-        Story story = explain(applied(*seen.scene, seen.setup), seen.setup.options, pixel.x, pixel.y);
+        Story story = explain(applied(*seen.scene, seen.setup), seen.setup.options, pixel.x, pixel.y, Detail::whole,
+                              background_job(*engine, seen, stop));
         story.command = explain_command(file, *seen.scene, seen.setup, pixel);
         deliver(std::make_shared<const Story>(std::move(story)));
     });

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "viewer/model/kept_engine.hpp"
 #include "viewer/model/latest.hpp"
+#include "viewer/model/pace.hpp"
 #include "viewer/model/results.hpp"
 #include "viewer/model/state.hpp"
 
@@ -54,17 +56,22 @@ private:
     struct Worker {
         explicit Worker(const std::function<void()>& wake) : latest(wake) {}
         std::optional<What> asked;
+        std::shared_ptr<Pace> pace = std::make_shared<Pace>();
         Latest<Result> latest;
     };
     using StoryWorker = Worker<SeenPixel, std::shared_ptr<const Story>>;
+
+    /// Work on what is seen, with the engine at hand.
+    static Job background_job(KeptEngine& engine, const Seen& seen, const std::stop_token& stop);
 
     void ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted);
     void ask_for_mine(const std::optional<SeenMine>& wanted);
     void update_mine(const ViewerState& state, const Seen& seen, Results& results);
     void ask_for_overlay(const std::optional<SeenMeasured>& wanted);
-    static void ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted);
+    void ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted);
 
     std::shared_ptr<std::atomic<std::int64_t>> pixels_done_;
+    std::shared_ptr<KeptEngine> engine_;
     Worker<Seen, Picture> picture_, other_;
     std::shared_ptr<learn::mine::Maker> maker_;
     Worker<SeenMine, std::shared_ptr<const learn::mine::News>> mine_;

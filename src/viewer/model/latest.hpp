@@ -12,8 +12,8 @@
 
 namespace glassbox {
 
-/// Work in the background of which only the newest counts: what is asked for while something runs stops that, and takes
-/// its place. Results may come in several versions, each better than the one before.
+/// Work in the background of which only the newest counts: what is asked for while something runs asks that to stop,
+/// and takes its place. Results may come in several versions, each better than the one before.
 template <class Result>
 class Latest {
 public:
@@ -33,9 +33,18 @@ public:
     void ask(Work work) {
         {
             const std::lock_guard lock(mutex_);
+            drop();
+            next_ = std::move(work);
+        }
+        asked_.notify_one();
+    }
+
+    /// The same, but what is there already, or yet comes of the work that is to stop, is still worth showing.
+    void ask_on(Work work) {
+        {
+            const std::lock_guard lock(mutex_);
             next_ = std::move(work);
             current_.request_stop();
-            result_.reset();
         }
         asked_.notify_one();
     }
@@ -44,8 +53,7 @@ public:
     void cancel() {
         const std::lock_guard lock(mutex_);
         next_.reset();
-        result_.reset();
-        current_.request_stop();
+        drop();
         error_.clear();
     }
 
@@ -68,13 +76,20 @@ public:
     }
 
 private:
+    /// Stops what runs; neither what it has brought nor what it may yet bring is wanted.
+    void drop() {
+        result_.reset();
+        current_.request_stop();
+        wanted_ = false;
+    }
+
     void run(const std::stop_token& end) {
         std::unique_lock lock(mutex_);
         while (asked_.wait(lock, end, [&] { return next_.has_value(); })) {
             const Work work = *std::exchange(next_, std::nullopt);
             current_ = std::stop_source();
             const std::stop_token token = current_.get_token();
-            working_ = true;
+            working_ = wanted_ = true;
             error_.clear();
             lock.unlock();
             const std::string error = attempt(work, token);
@@ -89,7 +104,7 @@ private:
 
     std::string attempt(const Work& work, const std::stop_token& token) {
         try {
-            work(token, [&](Result result) { deliver(std::move(result), token); });
+            work(token, [&](Result result) { deliver(std::move(result)); });
         } catch (const Cancelled&) {
         } catch (const std::exception& error) {
             return error.what();
@@ -97,10 +112,10 @@ private:
         return {};
     }
 
-    void deliver(Result result, const std::stop_token& token) {
+    void deliver(Result result) {
         {
             const std::lock_guard lock(mutex_);
-            if (token.stop_requested()) return;
+            if (!wanted_) return;
             result_ = std::move(result);
         }
         wake_();
@@ -113,6 +128,7 @@ private:
     std::optional<Result> result_;
     std::stop_source current_;
     bool working_ = false;
+    bool wanted_ = false;  ///< what comes of the work that runs
     std::string error_;
     std::jthread thread_;  // last: it uses all the others
 };

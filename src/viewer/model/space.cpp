@@ -201,8 +201,7 @@ struct MetSurface {
 std::vector<MetSurface> met_in_order(const Story& story) {
     std::vector<MetSurface> met;
     for (const story::Surface& surface : story.surfaces)
-        if ((surface.fate == story::Fate::nearest || surface.fate == story::Fate::farther) && surface.t)
-            met.push_back({&surface, surface.t->value});
+        if (is_met(surface.fate) && surface.t) met.push_back({&surface, surface.t->value});
     // What the story calls nearest comes first, also among equals.
     std::stable_sort(met.begin(), met.end(), [](const MetSurface& a, const MetSurface& b) {
         const bool a_first = a.surface->fate == story::Fate::nearest, b_first = b.surface->fate == story::Fate::nearest;

@@ -1,0 +1,23 @@
+#pragma once
+#include <memory>
+#include <mutex>
+
+#include "engine/engine.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// The engine of the scene that is shown: made when it is first asked for, once for all threads that ask.
+class KeptEngine {
+public:
+    /// Of the surfaces that the stage knows.
+    std::shared_ptr<const engine::Engine> of(const std::shared_ptr<const Scene>& scene, int stage, int threads);
+
+private:
+    std::mutex mutex_;
+    std::shared_ptr<const Scene> scene_;
+    int stage_ = 0;
+    std::shared_ptr<const engine::Engine> engine_;
+};
+
+}  // namespace glassbox

@@ -1,0 +1,34 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+
+namespace glassbox {
+
+/// How many seconds a picture took in each size, the last time that it was made: 1/factor of its width and height, the
+/// factors being 1, 2, 4, 8, 16.
+class Pace {
+public:
+    static constexpr int coarsest = 16;
+
+    Pace() { seconds_.fill(std::numeric_limits<double>::infinity()); }
+
+    /// Infinity where it is not known.
+    double seconds(int factor) const { return seconds_[index(factor)]; }
+    void note(int factor, double seconds) { seconds_[index(factor)] = seconds; }
+
+    /// The finest size that is known to take less than this; `otherwise` if none is.
+    int finest_within(double seconds, int otherwise) const {
+        for (int factor = 1; factor < otherwise; factor *= 2)
+            if (this->seconds(factor) < seconds) return factor;
+        return otherwise;
+    }
+
+private:
+    static std::size_t index(int factor) { return static_cast<std::size_t>(std::countr_zero(unsigned(factor))); }
+
+    std::array<double, 5> seconds_;
+};
+
+}  // namespace glassbox
