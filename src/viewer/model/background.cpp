@@ -5,6 +5,8 @@
 
 #include "explain/explain.hpp"
 #include "render/render.hpp"
+#include "render/surfaces.hpp"
+#include "viewer/model/boxes_in_space.hpp"
 #include "viewer/model/command.hpp"
 #include "viewer/model/progressive.hpp"
 
@@ -36,7 +38,8 @@ Background::Background(const std::function<void()>& wake)
       mine_(wake),
       overlay_(wake),
       story_(wake),
-      compared_(wake) {}
+      compared_(wake),
+      boxes_(wake) {}
 
 Job Background::background_job(KeptEngine& engine, const Seen& seen, const std::stop_token& stop) {
     Job job{.threads = background_threads(), .stop = stop};
@@ -114,6 +117,17 @@ void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
     ask(overlay_, std::move(work), goes_on);
 }
 
+void Background::ask_for_boxes(const std::optional<Sorted>& wanted, Results& results) {
+    if (boxes_.asked == wanted) return;
+    boxes_.asked = wanted;
+    results.boxes = nullptr;  // those of other surfaces
+    if (!wanted) return boxes_.latest.cancel();
+    boxes_.latest.ask([wanted = *wanted, engine = engine_](const std::stop_token&, const auto& deliver) {
+        const auto& [scene, stage] = wanted;
+        deliver(std::make_shared<const BoxLevels>(box_levels(engine->of(scene, stage, background_threads()))));
+    });
+}
+
 void Background::ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted) {
     if (worker.asked == wanted) return;
     worker.asked = wanted;
@@ -156,6 +170,10 @@ void Background::update(const ViewerState& state, Results& results) {
     }
     if (!state.compared) results.compared = nullptr;
 
+    const bool with_boxes = state.box_level && state.space_shown;
+    const int sorted_stage = std::min(seen.setup.options.stage, stage_of_all_surfaces);
+    ask_for_boxes(with_boxes ? std::optional(Sorted{state.scene, sorted_stage}) : std::nullopt, results);
+
     const auto take = [](auto& worker, auto& into, std::uint64_t& serial) {
         auto result = worker.latest.take();
         if (!result) return false;
@@ -165,7 +183,7 @@ void Background::update(const ViewerState& state, Results& results) {
     };
     // Read before anything is taken: what ends in between counts as still busy, and is there at the next update.
     results.busy = picture_.latest.busy() || other_.latest.busy() || mine_.latest.busy() || overlay_.latest.busy() ||
-                   story_.latest.busy() || compared_.latest.busy();
+                   story_.latest.busy() || compared_.latest.busy() || boxes_.latest.busy();
     take(picture_, results.picture, results.picture_serial);
     take(other_, results.other, results.other_serial);
     if (take(mine_, results.mine, results.mine_serial) && results.mine->drawing) {
@@ -177,12 +195,14 @@ void Background::update(const ViewerState& state, Results& results) {
     take(overlay_, results.overlay, results.overlay_serial);
     if (take(story_, results.story, results.story_serial)) results.timeline = timeline(*results.story);
     take(compared_, results.compared, results.story_serial);
+    if (auto made = boxes_.latest.take()) results.boxes = std::move(*made);
 
     const double pixels = 1.0 * state.scene->width * state.scene->height;
     results.progress = picture_.latest.busy() ? static_cast<double>(*pixels_done_) / pixels : 1;
     results.error.clear();
-    for (const std::string& error : {picture_.latest.error(), other_.latest.error(), mine_.latest.error(),
-                                     overlay_.latest.error(), story_.latest.error(), compared_.latest.error()})
+    for (const std::string& error :
+         {picture_.latest.error(), other_.latest.error(), mine_.latest.error(), overlay_.latest.error(),
+          story_.latest.error(), compared_.latest.error(), boxes_.latest.error()})
         if (!error.empty()) results.error = error;
 }
 

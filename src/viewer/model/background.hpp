@@ -43,6 +43,13 @@ private:
 
         bool operator==(const SeenMeasured&) const = default;
     };
+    /// What a hierarchy is made from.
+    struct Sorted {
+        std::shared_ptr<const Scene> scene;
+        int stage;
+
+        bool operator==(const Sorted&) const = default;
+    };
     struct SeenMine {
         Seen seen;
         std::shared_ptr<const learn::Workspace> workspace;
@@ -68,6 +75,7 @@ private:
     void ask_for_mine(const std::optional<SeenMine>& wanted);
     void update_mine(const ViewerState& state, const Seen& seen, Results& results);
     void ask_for_overlay(const std::optional<SeenMeasured>& wanted);
+    void ask_for_boxes(const std::optional<Sorted>& wanted, Results& results);
     void ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted);
 
     std::shared_ptr<std::atomic<std::int64_t>> pixels_done_;
@@ -77,6 +85,7 @@ private:
     Worker<SeenMine, std::shared_ptr<const learn::mine::News>> mine_;
     Worker<SeenMeasured, std::shared_ptr<const MeasuredPlanes>> overlay_;
     StoryWorker story_, compared_;
+    Worker<Sorted, std::shared_ptr<const BoxLevels>> boxes_;
 };
 
 }  // namespace glassbox
