@@ -159,7 +159,9 @@ std::string section(const LessonStanding& lesson) {
                             escaped(function.header), marked(function), function.hints);
     html += "</table>\n";
     if (!lesson.wrong.empty())
-        html += fmt::format("<h3>What is wrong first</h3>\n<pre>{}</pre>\n", escaped(lesson.wrong));
+        html += fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n",
+                            lesson.verdict == Verdict::unfinished ? "What comes next" : "What is wrong first",
+                            escaped(lesson.wrong));
     if (!lesson.mistake.empty()) html += fmt::format("<p><b>It looks like this:</b> {}</p>\n", escaped(lesson.mistake));
     return html + pictures(lesson);
 }

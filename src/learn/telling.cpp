@@ -146,7 +146,7 @@ std::string ulps_text(const Failure& failure) {
     const auto [end, error] = std::from_chars(failure.ulps.data(), failure.ulps.data() + failure.ulps.size(), ulps);
     const bool same_sign = failure.expected.starts_with('-') == failure.got.starts_with('-');
     if (failure.ulps.empty() || error != std::errc{} || !(ulps < most) || !same_sign) return "";
-    return fmt::format("{:.3g} ulps (units in the last place)", ulps);
+    return fmt::format("{:.3g} {} in the last place)", ulps, ulps == 1 ? "ulp (unit" : "ulps (units");
 }
 
 std::string error_text(const CompileError& error, const Paint& paint) {

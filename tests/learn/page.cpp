@@ -77,10 +77,12 @@ TEST_CASE("what waits for a function to be written has not failed") {
     lesson.cases = 5;
     lesson.cases_passed = 2;
     lesson.cases_waiting = 3;
+    lesson.wrong = "Next to write: Textbook";
     const std::string html = to_html({{"Ada", {lesson}}});
     CHECK(html.find("2 of 5 tests (3 wait for a function to be written)") != std::string::npos);
     CHECK(html.find("… waits for Textbook&lt;&gt;") != std::string::npos);
     CHECK(html.find("… unfinished") != std::string::npos);
+    CHECK(html.find("<h3>What comes next</h3>\n<pre>Next to write: Textbook</pre>") != std::string::npos);
     CHECK(html.find("✗") == std::string::npos);
     CHECK(to_csv({{"Ada", {lesson}}}).ends_with("Ada,2,unfinished,0,2,2,3,5,,0,0,no\n"));
 }
