@@ -10,7 +10,7 @@
 namespace glassbox::learn {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// A line as JSON, with the nonce; null for anything else. What is not UTF-8 (in what an exception says) becomes '?'.
 Json parsed(std::string line, const std::string& nonce) {

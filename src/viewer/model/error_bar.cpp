@@ -10,7 +10,7 @@ namespace glassbox {
 namespace {
 
 /// The longest distance of a place from 0, and what a magnified bar takes of it.
-constexpr double reach = .45, magnified_half = .07;
+constexpr double half_width = .45, magnified_half = .07;
 /// A bound of less than this part of the value would be too thin to be seen.
 constexpr double least_visible = .02;
 
@@ -31,7 +31,7 @@ ErrorBar error_bar(const story::Number& number) {
         return bar;
     }
     if (!std::isfinite(error)) {
-        bar.value = value == 0 ? .5 : .5 + std::copysign(reach, value) / 2;
+        bar.value = value == 0 ? .5 : .5 + std::copysign(half_width, value) / 2;
         bar.low = 0;
         bar.high = 1;
         bar.words = "no bound is proven";
@@ -40,7 +40,7 @@ ErrorBar error_bar(const story::Number& number) {
     bar.sign_is_proven = error == 0 || std::abs(value) > error;
     if (error == 0) {
         bar.kind = ErrorBar::Kind::exact;
-        bar.value = bar.low = bar.high = value == 0 ? .5 : .5 + std::copysign(reach, value);
+        bar.value = bar.low = bar.high = value == 0 ? .5 : .5 + std::copysign(half_width, value);
         bar.words = value == 0 ? "exactly 0" : "exact";
         return bar;
     }
@@ -49,11 +49,11 @@ ErrorBar error_bar(const story::Number& number) {
     double half = magnified_half;
     if (magnified) {
         bar.kind = ErrorBar::Kind::magnified;
-        bar.value = .5 + std::copysign(reach - magnified_half, value);
+        bar.value = .5 + std::copysign(half_width - magnified_half, value);
     } else {
         bar.kind = ErrorBar::Kind::to_scale;
-        bar.value = .5 + reach * (value / 2 / longest);
-        half = reach * (error / 2 / longest);
+        bar.value = .5 + half_width * (value / 2 / longest);
+        half = half_width * (error / 2 / longest);
     }
     bar.low = bar.value - half;
     bar.high = bar.value + half;

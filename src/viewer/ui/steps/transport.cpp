@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/model/playing.hpp"
+#include "viewer/ui/buttons.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
 namespace glassbox {
@@ -46,10 +47,6 @@ void draw_icon(Icon icon, ImVec2 middle, float r, ImU32 color) {
             bar(.7f, 1);
             return;
     }
-}
-
-void tip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
 
 bool icon_button(const char* id, Icon icon, const char* what) {
