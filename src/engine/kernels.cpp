@@ -328,23 +328,11 @@ public:
             const Node& node = hierarchy.nodes[child];
             alignas(32) float entries[fan_out];
             const std::uint32_t met = children_met(node, sight, until, entries);
-            for (std::uint32_t rest = met; rest != 0; rest &= rest - 1) prefetch(node.child[__builtin_ctz(rest)]);
             stack.push(node, met, entries);
         }
     }
 
 private:
-    /// Asks memory for a child before it is needed: there is always something else to do meanwhile.
-    void prefetch(std::uint32_t child) const {
-        constexpr std::size_t line = 64;
-        const auto all = [](const auto& value) {
-            for (std::size_t at = 0; at < sizeof(value); at += line)
-                __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
-        };
-        if (!Child::is_leaf(child)) all(engine_.hierarchy().nodes[child]);
-        else if (!Child::is_of_spheres(child)) all(engine_.blocks()[Child::index(child)]);
-    }
-
     HWY_ATTR void fill(std::uint32_t surface, float key) {
         const Floats f;
         const Words w;

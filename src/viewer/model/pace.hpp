@@ -6,7 +6,7 @@
 
 namespace glassbox {
 
-/// How many seconds a picture took in each size, the last time that it was made: 1/factor of its width and height, the
+/// How many seconds a picture takes in each size, by those that were made: 1/factor of its width and height, the
 /// factors being 1, 2, 4, 8, 16.
 class Pace {
 public:
@@ -16,7 +16,11 @@ public:
 
     /// Infinity where it is not known.
     double seconds(int factor) const { return seconds_[index(factor)]; }
-    void note(int factor, double seconds) { seconds_[index(factor)] = seconds; }
+    /// One that was slow by chance does not count for much.
+    void note(int factor, double seconds) {
+        double& known = seconds_[index(factor)];
+        known = std::min(seconds, 1.25 * known);
+    }
 
     /// The finest size that is known to take less than this; `otherwise` if none is.
     int finest_within(double seconds, int otherwise) const {

@@ -93,7 +93,7 @@ struct SpaceDrawing {
 
 /// The surfaces of a stage, at most `most_spheres` and about `most_triangles` of them.
 SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres = 400,
-                                  std::size_t most_triangles = 3000);
+                                  std::size_t most_triangles = 1000);
 
 SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const SurfacesInSpace& surfaces, const Story* pinned,
                            const Story* compared);
