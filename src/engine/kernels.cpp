@@ -230,6 +230,9 @@ inline bool set_sight(Sight& sight, const Engine& engine, const Grid& grid, cons
     if (!(by_ray * (size(U) + size(R)) * size(D) + 8 * t_off < off_by / 2)) return false;
     if (grid.pinhole && !(t_off < 0x1p-22)) return false;
     const double reach = static_cast<double>(engine.around().reach());
+    // Floats must not overflow: an infinity less another would be no number.
+    const double most = std::max({size(R) * size(U), size(U) * size(D), size(D) * size(R)});
+    if (!(most * (reach + size(middle.P)) < 0x1p100 * std::abs(volume))) return false;
     sight = {bounds(n, middle.P, volume, size(R) * size(U), reach, grid.pinhole ? 0 : t_off),
              bounds(cross(U, D), middle.P, volume, size(U) * size(D), reach, 0),
              bounds(cross(D, R), middle.P, volume, size(D) * size(R), reach, 0), grid.pinhole};

@@ -63,7 +63,7 @@ void tell_ray(Page& page, const Story& story) {
 }
 
 void tell_surfaces(Page& page, const Story& story) {
-    page.heading(fmt::format("The surfaces  {} tested, {} met", story.tested, story.met));
+    page.heading(fmt::format("The surfaces  {} in all, {} met", story.tested, story.met));
     for (const Surface& surface : story.surfaces)
         page.line("{:>5}  {:<9}  {}{}", surface.number, word(surface.kind), why(surface, story),
                   surface.needed_exact ? "  (decided in exact arithmetic)" : "");

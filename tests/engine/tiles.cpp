@@ -176,6 +176,12 @@ TEST_CASE("views that are hardly views") {
     check("vast", odd);
     v = ParallelView{{2, 0, 0}, {0, 1e-30, 0}, {0, 0, 1e-30}, {-1, 0, 0}};
     check("narrow", odd);
+    v = ParallelView{{0x1p48, -2, -2}, {0, 4.0 / size, 0}, {0, 0, 4.0 / size}, {-0x1p-49, 0, 0}};
+    check("far off and slow", odd);
+    v = ParallelView{{2, -2, -2}, {0, 4.0 / size, 0}, {0, 0, 4.0 / size}, {-0x1p49, 0, 0}};
+    check("near and fast", odd);
+    for (const double away : {0x1p20, 0x1p30, 0x1p40, 0x1p48})
+        check("far off", looked_at(scene, {away, 1, 2}, {}, size));
 }
 
 TEST_CASE("every kind of vectors that this processor has tells the truth") {

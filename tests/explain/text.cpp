@@ -53,7 +53,7 @@ TEST_CASE("whose arithmetic it is") {
 }
 
 TEST_CASE("background, border, first stage") {
-    check_has(text("levental-2014.toml", 7, 7), {"nothing is met: the background", "6 tested, 0 met"});
+    check_has(text("levental-2014.toml", 7, 7), {"nothing is met: the background", "6 in all, 0 met"});
     check_has(text("levental-2014.toml", 0, 7), {"the border, painted over what the ray brings: (0, 0, 0)"});
     Options options;
     options.stage = 1;
@@ -61,7 +61,7 @@ TEST_CASE("background, border, first stage") {
 }
 
 TEST_CASE("many surfaces: the nearest misses, and how many more there are") {
-    check_has(text("room.toml", 100, 200), {"1255 tested, 2 met", "and 1235 more"});
+    check_has(text("room.toml", 100, 200), {"1255 in all, 2 met", "and 1235 more"});
 }
 
 TEST_CASE("no line is wider than 100 columns") {

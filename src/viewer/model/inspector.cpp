@@ -190,8 +190,8 @@ InspectorPart surface_part(const Story& story, std::size_t i) {
 }
 
 InspectorPart surfaces_part(const Story& story) {
-    InspectorPart surfaces = part("The surfaces", fmt::format("{} tested, {} met", story.tested, story.met));
-    surfaces.rows.push_back(row("tested", {count("/tested", static_cast<double>(story.tested))}));
+    InspectorPart surfaces = part("The surfaces", fmt::format("{} in all, {} met", story.tested, story.met));
+    surfaces.rows.push_back(row("in all", {count("/tested", static_cast<double>(story.tested))}));
     surfaces.rows.push_back(row("met", {count("/met", static_cast<double>(story.met))}));
     surfaces.rows.push_back(row("not listed", {count("/not_listed", static_cast<double>(story.not_listed))},
                                 story.not_listed > 0 ? "missed by more than these" : ""));
@@ -301,13 +301,13 @@ std::vector<InspectorPart> inspector(const Story& story) {
 }
 
 std::string written(const InspectedNumber& number, NumberForm form) {
+    if (number.is_count) return all_digits(number.value);
     switch (form) {
         case NumberForm::brief:
             return std::isfinite(number.value) ? short_number(number.value) : all_digits(number.value);
         case NumberForm::full:
             return all_digits(number.value);
         case NumberForm::hex:
-            if (number.is_count) return all_digits(number.value);
             return number.checked ? hex(number.checked->recorded) : hex(number.value);
     }
     return "";

@@ -14,7 +14,7 @@ struct InspectedNumber {
     std::string path;                      ///< JSON pointer: of the number, or of the object of a checked one
     double value = 0;                      ///< of a checked number: its value
     std::optional<story::Number> checked;  ///< with its bound, its truth and its lost bits
-    bool is_count = false;                 ///< a whole number that nothing rounds: never in hex
+    bool is_count = false;                 ///< a whole number that nothing rounds: written as such in every form
 };
 
 /// A line: a name, numbers and words. A vector or a colour has three numbers.
