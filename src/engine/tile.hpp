@@ -23,7 +23,7 @@ inline constexpr int tile_size = tile_side * tile_side;
 ///   D·(B × A) + (dj right + di up)·((B − A) × D)         in a parallel one,
 ///
 /// three numbers an edge, found once a tile in double, after which a ray costs two products. As dj and di are small,
-/// single precision is enough for nearly all rays: see TileKernel in kernels.cpp for the bounds.
+/// single precision is enough for nearly all rays: see TileKernel in tile_kernel.cpp for the bounds.
 struct Grid {
     bool pinhole = false;
     Vec3<double> eye;        ///< of a pinhole's view
