@@ -313,7 +313,8 @@ std::optional<Point> PictureInSpace::met_by(const Ray<double>& ray) const {
     return Point{u * width, (1 - v) * height};
 }
 
-SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres, std::size_t most_triangles) {
+SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres, std::size_t most_triangles,
+                                  std::size_t sample) {
     Surfaces<double> all = surfaces<double>(scene, stage);
     const std::vector<Rgb> colors = surface_colors(scene);
     SurfacesInSpace result;
@@ -328,7 +329,8 @@ SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t mos
         result.shown.spheres.push_back(all.spheres[i]);
         result.numbers.push_back(i);
     }
-    const std::size_t step = every(all.triangles.size(), most_triangles);
+    const std::size_t step =
+        all.triangles.size() <= most_triangles ? 1 : every(all.triangles.size(), std::min(sample, most_triangles));
     for (std::size_t i = 0; i < all.triangles.size(); i += step) {
         result.shown.triangles.push_back(all.triangles[i]);
         result.numbers.push_back(all.spheres.size() + i);

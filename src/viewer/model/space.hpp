@@ -91,9 +91,9 @@ struct SpaceDrawing {
     std::vector<LabelInSpace> labels;
 };
 
-/// The surfaces of a stage, at most `most_spheres` and about `most_triangles` of them.
+/// The surfaces of a stage: at most `most_spheres`; all triangles, or of more than `most_triangles` about `sample`.
 SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres = 400,
-                                  std::size_t most_triangles = 1000);
+                                  std::size_t most_triangles = 3000, std::size_t sample = 1000);
 
 SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const SurfacesInSpace& surfaces, const Story* pinned,
                            const Story* compared);
