@@ -50,9 +50,8 @@ inline constexpr double off_by = 0.01;
 
 /// Nothing if rounding might move them more: the tile is then not to be traced as one.
 inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const MiddleRay& middle) {
-    using Vector = Vec3<double>;
-    const auto size = [](const Vector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    const Vector &R = grid.right, &U = grid.up, &D = middle.D, n = cross(R, U);
+    const auto size = [](const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    const Vec3<double> R = grid.right, U = grid.up, D = middle.D, n = cross(R, U);
     const double sizes = size(R) * size(U) * size(D), volume = dot(D, n);
     // Off by 2⁻⁴⁸ of `sizes` at most: relatively by 2⁻³⁰, which moves nothing in the tile by more than 2⁻²⁶ pixels.
     if (!(std::abs(volume) > 0x1p-18 * sizes)) return {};

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 
 using namespace glassbox;
@@ -24,6 +25,17 @@ std::optional<Result> awaited(Latest<Result>& latest) {
     return {};
 }
 
+/// Work that runs now, and brings 1 once it is stopped.
+void begin_what_must_be_stopped(Latest<int>& latest) {
+    const auto began = std::make_shared<std::atomic<bool>>(false);
+    latest.ask([began](const std::stop_token& stop, const auto& deliver) {
+        *began = true;
+        while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
+        deliver(1);
+    });
+    while (!*began) std::this_thread::sleep_for(1ms);
+}
+
 }  // namespace
 
 TEST_CASE("What is asked for comes, and wakes the one who waits") {
@@ -38,31 +50,21 @@ TEST_CASE("What is asked for comes, and wakes the one who waits") {
 
 TEST_CASE("Only the newest counts: what runs is stopped, and what it delivers late is lost") {
     Latest<int> latest([] {});
-    std::atomic<bool> began = false;
-    latest.ask([&](const std::stop_token& stop, const auto& deliver) {
-        began = true;
-        while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
-        deliver(1);
-    });
-    while (!began) std::this_thread::sleep_for(1ms);
+    begin_what_must_be_stopped(latest);
     latest.ask([](const std::stop_token&, const auto& deliver) { deliver(2); });
     CHECK(awaited(latest) == 2);
 }
 
 TEST_CASE("What goes on with something takes its place, too, but what that has brought, or yet brings, is shown") {
     Latest<int> latest([] {});
-    std::atomic<bool> began = false;
-    latest.ask([&](const std::stop_token& stop, const auto& deliver) {
-        began = true;
-        while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
-        deliver(1);
-    });
-    while (!began) std::this_thread::sleep_for(1ms);
+    begin_what_must_be_stopped(latest);
     std::atomic<bool> first_seen = false;
-    latest.ask_on([&](const std::stop_token&, const auto& deliver) {
-        while (!first_seen) std::this_thread::sleep_for(1ms);
-        deliver(2);
-    });
+    latest.ask(
+        [&](const std::stop_token&, const auto& deliver) {
+            while (!first_seen) std::this_thread::sleep_for(1ms);
+            deliver(2);
+        },
+        true);
     CHECK(awaited(latest) == 1);
     first_seen = true;
     CHECK(awaited(latest) == 2);

@@ -16,13 +16,6 @@ namespace {
 
 int background_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
 
-/// Asks for other work; if it goes on with what was asked before, what yet comes of that is shown, too.
-template <class Worker, class Work>
-void ask(Worker& worker, Work work, bool goes_on) {
-    if (goes_on) worker.latest.ask_on(std::move(work));
-    else worker.latest.ask(std::move(work));
-}
-
 bool lies_on(const Scene& scene, Pixel pixel) {
     return pixel.x >= 0 && pixel.y >= 0 && pixel.x < scene.width && pixel.y < scene.height;
 }
@@ -61,7 +54,7 @@ void Background::ask_for_picture(Worker<Seen, Picture>& worker, const std::optio
         };
         coarse_to_fine(applied(*seen.scene, seen.setup), background_job(*engine, seen, stop), *pace, picture, deliver);
     };
-    ask(worker, std::move(work), goes_on);
+    worker.latest.ask(std::move(work), goes_on);
 }
 
 void Background::ask_for_mine(const std::optional<SeenMine>& wanted) {
@@ -114,7 +107,7 @@ void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
         };
         coarse_to_fine(applied(*seen.scene, seen.setup), background_job(*engine, seen, stop), *pace, measured, deliver);
     };
-    ask(overlay_, std::move(work), goes_on);
+    overlay_.latest.ask(std::move(work), goes_on);
 }
 
 void Background::ask_for_boxes(const std::optional<Sorted>& wanted, Results& results) {

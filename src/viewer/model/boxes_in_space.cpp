@@ -43,8 +43,6 @@ void for_each_box(const engine::Engine& engine, int last, const Use& use) {
     }
 }
 
-constexpr bool is_leaf(std::uint32_t code) { return Child::is_leaf(code); }
-
 /// Hears which boxes a search looks into: those that the ray meets, all of them or as far as its first hit.
 struct OpenedBoxes {
     static constexpr bool only_verdicts = true, hears_boxes = true;
@@ -164,7 +162,7 @@ BoxLevels box_levels(std::shared_ptr<const engine::Engine> engine) {
         }
         ++result.on_level[at];
         ++result.boxes;
-        if (is_leaf(code)) ++ended[at];
+        if (Child::is_leaf(code)) ++ended[at];
     });
     std::size_t sooner = 0;
     for (std::size_t k = 0; k < ended.size(); ++k) {
@@ -190,7 +188,7 @@ RayInBoxes ray_in_boxes(const std::shared_ptr<const engine::Engine>& engine, con
     result.opened = sorted(std::move(first.codes));
     result.tested = engine->loose().size();
     for (const std::uint32_t code : result.opened) {
-        if (!is_leaf(code)) continue;
+        if (!Child::is_leaf(code)) continue;
         const engine::Hierarchy& hierarchy = engine->hierarchy();
         const auto& leaves = Child::is_of_spheres(code) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
         result.tested += leaves[Child::index(code)].count;
@@ -206,7 +204,7 @@ BoxesOnLevel boxes_on_level(const BoxLevels& levels, int level, const RayInBoxes
     const std::size_t step = (result.all - 1) / std::max<std::size_t>(most, 1) + 1;
     std::size_t count = 0;
     for_each_box(*levels.engine, level, [&](std::uint32_t code, const engine::Box& box, int its_level) {
-        if (its_level < level && !is_leaf(code)) return;
+        if (its_level < level && !Child::is_leaf(code)) return;
         const Passage how = passage(ray, code);
         result.met += ray && holds(ray->met, code);
         result.opened += how == Passage::opened;

@@ -30,19 +30,11 @@ public:
         cancel();
     }
 
-    void ask(Work work) {
+    /// If it goes on with what was asked before, what is there already, or yet comes of that, is still worth showing.
+    void ask(Work work, bool goes_on = false) {
         {
             const std::lock_guard lock(mutex_);
-            drop();
-            next_ = std::move(work);
-        }
-        asked_.notify_one();
-    }
-
-    /// The same, but what is there already, or yet comes of the work that is to stop, is still worth showing.
-    void ask_on(Work work) {
-        {
-            const std::lock_guard lock(mutex_);
+            if (!goes_on) drop();
             next_ = std::move(work);
             current_.request_stop();
         }
@@ -54,6 +46,7 @@ public:
         const std::lock_guard lock(mutex_);
         next_.reset();
         drop();
+        current_.request_stop();
         error_.clear();
     }
 
@@ -76,10 +69,9 @@ public:
     }
 
 private:
-    /// Stops what runs; neither what it has brought nor what it may yet bring is wanted.
+    /// Neither what the work that runs has brought nor what it may yet bring is wanted.
     void drop() {
         result_.reset();
-        current_.request_stop();
         wanted_ = false;
     }
 
