@@ -34,18 +34,19 @@ bool set_scales(Grid& grid, double direction, double distance) {
 
 }  // namespace
 
-std::optional<Grid> grid(const Pinhole<double>& view, int width, int height, const Engine& engine) {
+std::optional<Grid> grid(const Vec3<double>& eye, const ViewingPlane<double>& plane, int width, int height,
+                         const Engine& engine) {
     Grid g;
     g.pinhole = true;
-    g.eye = view.eye;
-    g.corner = view.plane.corner;
-    g.right = view.plane.right;
-    g.up = view.plane.up;
+    g.eye = eye;
+    g.corner = plane.corner;
+    g.right = plane.right;
+    g.up = plane.up;
     // L and the ray's direction are each rounded five times, relatively to sums of these sizes.
-    const Vec3<double> terms = plane_sizes(view.plane, width, height) + sizes(view.eye);
+    const Vec3<double> terms = plane_sizes(plane, width, height);
     g.ray_error = 12 * u * sum(terms);
     const double direction = sum(terms);
-    if (!set_scales(g, direction, engine.around().reach() + greatest(sizes(view.eye - engine.middle())))) return {};
+    if (!set_scales(g, direction, engine.around().reach() + greatest(sizes(eye - engine.middle())))) return {};
     const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
     // A side product's terms add up to at most 2m²|D|, each rounded seven times; and B × A is at most 2m² along each
     // axis.

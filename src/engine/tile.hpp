@@ -26,9 +26,9 @@ inline constexpr int tile_size = tile_side * tile_side;
 /// single precision is enough for nearly all rays: see TileKernel in tile_kernel.cpp for the bounds.
 struct Grid {
     bool pinhole = false;
-    Vec3<double> eye;        ///< of a pinhole's view
-    Vec3<double> direction;  ///< of a parallel one
-    Vec3<double> corner, right, up;
+    Vec3<double> eye;                ///< of a pinhole's view
+    Vec3<double> direction;          ///< of a parallel one
+    Vec3<double> corner, right, up;  ///< of a pinhole's plane as seen from its eye
 
     /// The powers of two by which directions, and what tells near from far, are multiplied: so that floats neither
     /// overflow nor underflow.
@@ -47,7 +47,9 @@ struct Grid {
 /// Nothing where numbers are so large, small, or different that the bounds fail; the rays are then to be traced one by
 /// one. Of pictures of width × height pixels, and a tile's side more.
 std::optional<Grid> grid(const Parallel<double>& view, int width, int height, const Engine& engine);
-std::optional<Grid> grid(const Pinhole<double>& view, int width, int height, const Engine& engine);
+/// `plane` is a pinhole's plane as seen from its eye: its points are the directions of the rays.
+std::optional<Grid> grid(const Vec3<double>& eye, const ViewingPlane<double>& plane, int width, int height,
+                         const Engine& engine);
 
 inline constexpr std::uint32_t no_surface = 0xFFFFFFFF;  ///< none is met, for sure
 inline constexpr std::uint32_t not_told = 0xFFFFFFFE;    ///< bounds do not tell: trace this ray by itself

@@ -1,54 +1,55 @@
 #pragma once
+#include <memory>
+
+#include "engine/engine.hpp"
 #include "numerics/bits_lost.hpp"
-#include "render/fast_search.hpp"
 #include "render/pixel_numbers.hpp"
 
 namespace glassbox {
 
-/// Holds what was found against what is there: Plücker's test and the roots, certified.
+/// What a ray truly meets.
+struct TrueHits {
+    std::size_t hits = 0;                ///< surfaces that it meets
+    std::optional<std::size_t> nearest;  ///< of those at the same distance the one listed last
+    Exact t;                             ///< of the nearest
+};
+
+/// Finds what rays truly meet, to hold against it what a search found. It shares none of a search's short cuts: each
+/// surface is asked, with running bounds and, where they do not tell, exactly; none is passed over for lying behind
+/// another, and distances that bounds do not tell apart are compared exactly. Only in scenes of more surfaces than
+/// `few` are those left out whose boxes the ray surely misses.
 class Judge {
 public:
+    static constexpr std::size_t few = 2000;
+
     /// Of the surfaces in the engine.
-    explicit Judge(std::shared_ptr<const engine::Engine> engine) : search_(std::move(engine), Stable{}, Pluecker{}) {}
+    explicit Judge(std::shared_ptr<const engine::Engine> engine) : engine_(std::move(engine)) {}
+
+    /// `ray` must be valid.
+    TrueHits true_hits(const Ray<double>& ray) const;
 
     /// How many surfaces the ray meets.
-    double hits(const Ray<double>& ray) const {
-        if (!is_valid(ray)) return 0;
-        Met met;
-        search_.trace_proven(ray, met);
-        return met.count;
-    }
+    double hits(const Ray<double>& ray) const { return is_valid(ray) ? static_cast<double>(true_hits(ray).hits) : 0; }
 
     /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `Real` is the
     /// scalar that found it.
     template <class Real>
     void judge(const Ray<double>& ray, PixelNumbers& numbers) const {
         if (!is_valid(ray)) return;
-        const Silent silent;
-        const std::optional<ProvenHit> truth = search_.trace_proven(ray, silent);
-        numbers.verdict = !truth && !numbers.surface           ? right
-                          : !truth                             ? wrong_hit
+        const TrueHits found = true_hits(ray);
+        numbers.verdict = !found.nearest && !numbers.surface   ? right
+                          : !found.nearest                     ? wrong_hit
                           : !numbers.surface                   ? wrong_miss
-                          : *numbers.surface == truth->surface ? right
+                          : *numbers.surface == *found.nearest ? right
                                                                : wrong_surface;
-        if (truth && numbers.verdict == right)
-            numbers.bits_lost = bits_lost(static_cast<Real>(numbers.found_t), *search_.true_t(ray, truth->surface));
+        if (found.nearest && numbers.verdict == right)
+            numbers.bits_lost = bits_lost(static_cast<Real>(numbers.found_t), found.t);
     }
 
 private:
-    struct Met {
-        static constexpr bool only_verdicts = true;
-        double count = 0;
-
-        template <class What, class... Values>
-        void operator()(What, const Values&...) {
-            if constexpr (std::is_same_v<What, told::Met>) ++count;
-        }
-    };
-
     static constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
 
-    FastSearch<Stable, Pluecker> search_;
+    std::shared_ptr<const engine::Engine> engine_;
 };
 
 }  // namespace glassbox

@@ -8,6 +8,7 @@
 
 #include "numerics/filter.hpp"
 #include "render/exact_crossing.hpp"
+#include "render/surface_normal.hpp"
 #include "render/surfaces.hpp"
 
 namespace glassbox {
@@ -87,10 +88,8 @@ public:
 
     /// The unit normal where the ray meets a surface.
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
-        return store_.with_surface(hit.surface, [&]<class Surface>(const Surface& surface) {
-            if constexpr (std::is_same_v<Surface, Sphere<double>>) return normal(surface, at(ray, hit.t));
-            else return normal(surface);
-        });
+        return store_.with_surface(hit.surface,
+                                   [&](const auto& surface) { return glassbox::normal_at(ray, hit.t, surface); });
     }
 
 private:
@@ -163,7 +162,8 @@ private:
 
     /// t is the mean of the vertices' tᵢ = D·A/D², weighted by the side products wᵢ, here all of one sign. If these are
     /// wrong by E at most, the mean is by Σ(ŵᵢ − wᵢ)(tᵢ − t)/Σwᵢ: no more than 3E (max t − min t)/(Σ|ŵ| − 3E); tᵢ is by
-    /// errors.distance/D². What else is rounded is so relatively, as nothing here is negative: by less than 2⁻⁴⁵.
+    /// errors.distance/D². What else is rounded is so relatively, as nothing here is negative: by less than 2⁻⁴⁵. Where
+    /// the weights are no larger than their errors their sum may be anything above 0, and there is no bound.
     static double farthest(const Ray<double>& ray, const Triangle<double>& triangle,
                            const filter::TriangleErrors& errors, double t) {
         const Triangle<double> seen = seen_from(ray.P, triangle);
@@ -171,6 +171,7 @@ private:
         const Sides<double> w = sides(ray.D, seen);
         const double a = dot(ray.D, A), b = dot(ray.D, B), c = dot(ray.D, C), D2 = dot(ray.D, ray.D);
         const double weights = std::abs(w.a + w.b + w.c) * (1 - 0x1p-45) - 3 * errors.side;
+        if (!(weights > 0)) return not_bounded;
         const double spread = std::max({a, b, c}) - std::min({a, b, c}) + 2 * errors.distance;
         return (t + (3 * errors.side * spread / weights + errors.distance) / D2) * (1 + 0x1p-45);
     }

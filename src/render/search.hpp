@@ -4,6 +4,7 @@
 
 #include <ray.hpp>
 
+#include "render/surface_normal.hpp"
 #include "render/surfaces.hpp"
 
 namespace glassbox {
@@ -36,10 +37,8 @@ struct PlainSearch {
 
     /// The unit normal where the ray meets the surface.
     Vec3<Real> normal_at(const Ray<Real>& ray, const Hit<Real>& hit) const {
-        return with_surface(surfaces, hit.surface, [&]<class Surface>(const Surface& surface) {
-            if constexpr (std::is_same_v<Surface, Sphere<Real>>) return normal(surface, at(ray, hit.t));
-            else return normal(surface);
-        });
+        return with_surface(surfaces, hit.surface,
+                            [&](const auto& surface) { return glassbox::normal_at(ray, hit.t, surface); });
     }
 };
 

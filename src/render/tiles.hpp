@@ -16,7 +16,9 @@ template <class Each>
 void trace_tiles(const engine::Engine& engine, const View& view, int width, int height, const Job& job,
                  const Each& each) {
     constexpr int side = engine::tile_side;
-    const auto grid = std::visit([&](const auto& v) { return engine::grid(v, width, height, engine); }, view);
+    const auto* from_eye = std::get_if<FromEye>(&view);
+    const auto grid = from_eye ? engine::grid(from_eye->eye, from_eye->plane, width, height, engine)
+                               : engine::grid(std::get<Parallel<double>>(view), width, height, engine);
     const tbb::blocked_range2d<int> all(0, height, tile_side, 0, width, tile_side);
     run_parallel(all, job, [&](const auto& part) {
         engine::Tile tile;

@@ -9,8 +9,12 @@ namespace {
 
 Parallel<double> seen(const ParallelView& v, int, int) { return {{v.corner, v.right, v.up}, v.direction}; }
 
-Pinhole<double> seen(const PinholeView& v, int width, int height) {
-    return looking(v.eye, v.look_at, v.up, v.field_of_view, width, height);
+FromEye seen(const PinholeView& v, int width, int height) {
+    return {looking(Vec3<double>{}, v.look_at - v.eye, v.up, v.field_of_view, width, height).plane, v.eye};
+}
+
+FromEye turned(const FromEye& v, const Rotation<double>& R, const Vec3<double>& pivot) {
+    return {turned(v.plane, R, Vec3<double>{}), turned(v.eye, R, pivot)};
 }
 
 View unturned(const Scene& scene) {

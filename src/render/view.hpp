@@ -11,8 +11,19 @@
 
 namespace glassbox {
 
+/// A pinhole's view whose plane is kept as it is seen from the eye: a ray's direction is a point of it, and loses no
+/// digit to the eye's coordinates.
+struct FromEye {
+    ViewingPlane<double> plane;
+    Vec3<double> eye;
+};
+
+inline Ray<double> pixel_ray(const FromEye& view, double j, double i) {
+    return {view.eye, pixel_ray(Pinhole<double>{view.plane, {}}, j, i).D};
+}
+
 /// The viewing plane of a scene's picture, and where its rays come from.
-using View = std::variant<Parallel<double>, Pinhole<double>>;
+using View = std::variant<Parallel<double>, FromEye>;
 
 /// The scene's view after the turns, rebuilt from its start: neighbours about the same axis are one turn by the sum of
 /// their angles, so that 36 turns by 10° are none at all.

@@ -254,6 +254,12 @@ TEST_CASE("Pinhole views that see nothing") {
         CHECK(complaint_about(eye + "look_at = [0, 0, 0]\nfield_of_view = " + angle + "\n") ==
               "a.toml:5:17: error: field_of_view is " + angle +
                   " degrees; it must be between 0 and 180, both excluded");
+    // A step between 32768 rows is then tan(4.5e-9 degrees)/16384 = 4.8e-15 of the distance, some 20 units in the last
+    // place.
+    CHECK(
+        complaint_about(eye + "look_at = [0, 0, 0]\nfield_of_view = 9e-9\n") ==
+        "a.toml:5:17: error: field_of_view is 9e-09 degrees: the rays of neighbouring pixels cannot be told apart; it "
+        "must be 1e-08 or more");
     CHECK(complaint_about(eye + "look_at = [0, 0, 0]\nfield_of_view = nan\n") ==
           "a.toml:5:17: error: field_of_view is nan; it must be a finite number");
 }

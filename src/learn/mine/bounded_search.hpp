@@ -11,6 +11,7 @@
 
 #include "numerics/bounded.hpp"
 #include "numerics/filter.hpp"
+#include "render/surface_normal.hpp"
 #include "render/surfaces.hpp"
 
 namespace glassbox::learn::mine {
@@ -43,10 +44,8 @@ public:
     }
 
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
-        return with_surface(surfaces_, hit.surface, [&]<class Surface>(const Surface& surface) {
-            if constexpr (std::is_same_v<Surface, Sphere<double>>) return normal(surface, at(ray, hit.t));
-            else return normal(surface);
-        });
+        return with_surface(surfaces_, hit.surface,
+                            [&](const auto& surface) { return glassbox::normal_at(ray, hit.t, surface); });
     }
 
 private:

@@ -28,7 +28,7 @@ bool cut(std::pair<double, double>& part, double value_0, double value_1) {
 }
 
 Vec3<double> towards_viewer(const Parallel<double>& v) { return -unit(v.direction); }
-Vec3<double> towards_viewer(const Pinhole<double>& v) { return unit(cross(v.plane.right, v.plane.up)); }
+Vec3<double> towards_viewer(const FromEye& v) { return unit(cross(v.plane.right, v.plane.up)); }
 
 }  // namespace
 

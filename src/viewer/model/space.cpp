@@ -44,11 +44,11 @@ std::array<Vec3<double>, 4> corners(const PictureInSpace& picture) {
     return {picture.at(0, 0), picture.at(w, 0), picture.at(w, h), picture.at(0, h)};
 }
 
-bool starts_at_eye(const View& view) { return std::holds_alternative<Pinhole<double>>(view); }
+bool starts_at_eye(const View& view) { return std::holds_alternative<FromEye>(view); }
 
 /// What the distance of surfaces is measured from.
 Vec3<double> standpoint(const PictureInSpace& picture) {
-    if (const auto* pinhole = std::get_if<Pinhole<double>>(&picture.view)) return pinhole->eye;
+    if (const auto* pinhole = std::get_if<FromEye>(&picture.view)) return pinhole->eye;
     return picture.at(picture.width / 2.0, picture.height / 2.0);
 }
 
@@ -168,7 +168,7 @@ struct Drawer {
 /// At which t of a pinhole's rays its picture is drawn. On the viewing plane itself, at 1, it may be too small to be
 /// seen, or lie within what it shows.
 double t_of_picture(const View& view, int height, const SurfacesInSpace& surfaces) {
-    const auto* pinhole = std::get_if<Pinhole<double>>(&view);
+    const auto* pinhole = std::get_if<FromEye>(&view);
     if (!pinhole) return 0;
     const double wanted = 0.3 * surfaces.sight.radius / (height * length(pinhole->plane.up));
     return std::min(wanted, std::max(0.6 * surfaces.nearest, wanted / 4));
@@ -182,7 +182,7 @@ void draw_view(Drawer& drawer, bool with_name_of_eye) {
     const PictureInSpace& picture = drawer.result.picture;
     const auto corner = corners(picture);
     draw_outline(drawer, corner, Ink::faint);
-    if (const auto* pinhole = std::get_if<Pinhole<double>>(&picture.view)) {
+    if (const auto* pinhole = std::get_if<FromEye>(&picture.view)) {
         PictureInSpace plane = picture;
         plane.t = 1;
         draw_outline(drawer, corners(plane), Ink::faint);

@@ -1,0 +1,141 @@
+// Scenes in which a search, a judge or a normal was once wrong, with answers worked out by hand.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "render/measurements.hpp"
+#include "render/render.hpp"
+#include "render/surface_normal.hpp"
+
+using namespace glassbox;
+
+namespace {
+
+constexpr Rgb green{0, 255, 0}, red{255, 0, 0}, blue{0, 0, 255};
+
+/// The measurement's value at a pixel.
+double measured(const Scene& scene, const Options& options, const char* what, int x = 0, int y = 0) {
+    const Measurement* const wanted[] = {find_measurement(what)};
+    const std::vector<std::vector<Plane>> planes = measure(scene, options, wanted, {});
+    return planes[0][0].values[static_cast<std::size_t>(y * scene.width + x)];
+}
+
+}  // namespace
+
+TEST_CASE("what lies before a triangle whose weights are hardly above their bounds is seen") {
+    // Seen along the ray, -x, the red triangle's corners lie at (-1/16, -1/16), (1/8, -1/16) and (-1/16, 1/8): three
+    // equal weights, so the ray meets it at x = (99 + 90 + 90) / 3 = 93, t = 7. The sphere begins at x = 95 + 1, t = 4.
+    // The large triangle far behind makes the bound of all weights as large as the red triangle's are.
+    const double y = 1048576, z = 1398101.2968749956;
+    Scene scene;
+    scene.width = scene.height = 1;
+    scene.border = {};
+    scene.view = ParallelView{{100, y, z}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
+    scene.spheres = {{{95, y, z}, 1, green}};
+    scene.triangles = {{{Vec3<double>{99, 1048575.9375, 1398101.2343749956},
+                         {90, 1048576.125, 1398101.2343749956},
+                         {90, 1048575.9375, 1398101.4218749956}},
+                        red},
+                       {{Vec3<double>{-1e7, -8951424, -8601898.703125004},
+                         {-1e7, 11048576, -8601898.703125004},
+                         {-1e7, 1048576, 11398101.296874996}},
+                        blue}};
+    for (const Engine engine : {Engine::plain, Engine::fast}) {
+        Options options;
+        options.engine = engine;
+        options.stage = 3;
+        CHECK(render(scene, options).at(0, 0) == green);
+        CHECK(measured(scene, options, "depth") == 4);
+        CHECK(measured(scene, options, "verdict") == 0);
+    }
+    // What a plain scalar finds is held against the same truth.
+    Options plain;
+    plain.scalar = Scalar::double_;
+    CHECK(measured(scene, plain, "verdict") == 0);
+}
+
+TEST_CASE("a sphere whose squares underflow is seen where it is") {
+    // As seen from the eye it is as wide as 30 degrees to each side, as r/|c| = 1/2 = sin 30°: where the pixel's
+    // distance from the middle is at most tan 30° = 1/√3 of that from the eye. Pixels are 2/97 wide: j² + i² ≤ 97²/12 =
+    // 784.08. The triangle fills the rest: it is at least 2 wide on both sides up to z = 1.
+    Scene scene;
+    scene.width = scene.height = 97;
+    scene.border = {};
+    PinholeView eye{{0, 0, 0}, {-1, 0, 0}};
+    eye.field_of_view = 90;
+    scene.view = eye;
+    scene.triangles = {{{Vec3<double>{-1, -5, -5}, {-1, 5, -5}, {-1, 0, 5}}, red}};
+    for (const double size : {3e-161, 3e-154, 3e-163, 0x1p-540, 0x1p-1060}) {
+        CAPTURE(size);
+        scene.spheres = {{{-size, 0, 0}, size / 2, green}};
+        for (const Engine engine : {Engine::plain, Engine::fast}) {
+            Options options;
+            options.engine = engine;
+            options.stage = 3;
+            const Image image = render(scene, options);
+            int wrong = 0;
+            for (int y = 0; y < 97; ++y)
+                for (int x = 0; x < 97; ++x) {
+                    const int j = x - 48, i = 48 - y;
+                    wrong += image.at(x, y) != (j * j + i * i <= 784 ? green : red);
+                }
+            CHECK(wrong == 0);
+        }
+    }
+}
+
+TEST_CASE("a pinhole's picture does not depend on the scene's scale") {
+    // Powers of two change no digit of a coordinate, nor of what is computed from it: the picture is the same to the
+    // byte.
+    const auto picture = [](int power) {
+        const auto at = [&](double x, double y, double z) {
+            return Vec3<double>{std::ldexp(x, power), std::ldexp(y, power), std::ldexp(z, power)};
+        };
+        Scene scene;
+        scene.width = 60;
+        scene.height = 45;
+        scene.view = PinholeView{at(8, 1, 3), at(0, 0.3, 0.2)};
+        scene.spheres = {{at(0, 0, 1), std::ldexp(1, power), green}, {at(1, 2, 0.5), std::ldexp(0.5, power), red}};
+        scene.triangles = {{{at(-5, -5, 0), at(5, -5, 0), at(0, 6, 0)}, blue},
+                           {{at(-4, -3, -1), at(-4, 3, -1), at(-4, 0, 4)}, red}};
+        return render(scene, Options{});
+    };
+    const Image once = picture(0);
+    for (const int power : {40, 50, 55, 200, 300, -40, -300}) {
+        CAPTURE(power);
+        CHECK(picture(power).pixels == once.pixels);
+    }
+}
+
+TEST_CASE_TEMPLATE("a normal is the same at every size", Real, float, double, long double) {
+    // (B − A) × (C − A) = (1, 2, 0) × (−1, 3, 2) = (4, −2, 5), of length √45; times powers of two, each edge by its
+    // own.
+    const auto length = std::sqrt(Real(45));
+    const Vec3<Real> truth{4 / length, -2 / length, 5 / length};
+    const auto close = [](const Vec3<Real>& n, const Vec3<Real>& expected) {
+        const Vec3<Real> d = n - expected;
+        const Real most = 4 * std::numeric_limits<Real>::epsilon();
+        return std::abs(d.x) <= most && std::abs(d.y) <= most && std::abs(d.z) <= most;
+    };
+    const int largest = std::is_same_v<Real, float> ? 124 : 1018, least = std::is_same_v<Real, float> ? -145 : -1070;
+    for (const int one : {0, 50, -50, largest, least, largest / 2, least / 2})
+        for (const int other : {0, 50, -50, largest, least, largest / 2, least / 2}) {
+            CAPTURE(one);
+            CAPTURE(other);
+            const Vec3<Real> B = scaled(Vec3<Real>{1, 2, 0}, one), C = scaled(Vec3<Real>{-1, 3, 2}, other);
+            CHECK(close(unit_normal(Triangle<Real>{{}, B, C}), truth));
+        }
+    // Corners whose differences are no numbers: (h, −h, −h) − (−h, −h, −h) and so on, h the largest power of two.
+    const Real h = std::ldexp(Real(1), std::numeric_limits<Real>::max_exponent - 1);
+    if (std::numeric_limits<Real>::max_exponent <= 1024)
+        CHECK(close(unit_normal(Triangle<Real>{{-h, -h, -h}, {h, -h, -h}, {-h, h, -h}}), {0, 0, 1}));
+    // A sphere's: from the centre (c, 0, 0) the ray along −x meets it at (c + r, 0, 0); and from inside, starting at c.
+    for (const int size : {0, largest - 4, least + 4, largest / 2, least / 2}) {
+        CAPTURE(size);
+        const Real r = std::ldexp(Real(1), size);
+        const Sphere<Real> sphere{{}, r};
+        CHECK(close(normal_at(Ray<Real>{{4 * r, 0, 0}, {-1, 0, 0}}, 3 * r, sphere), {1, 0, 0}));
+    }
+    const Sphere<Real> far_off{{262144, -1048576, -1048576}, std::ldexp(Real(1), least / 2)};
+    CHECK(close(normal_at(Ray<Real>{far_off.c, {0, 0, -1}}, far_off.r, far_off), {0, 0, -1}));
+}
