@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "cases.hpp"
-#include "oracle.hpp"
+#include "oracle/of_scene.hpp"
 #include "render/shoot.hpp"
 
 using namespace glassbox;
@@ -14,7 +14,8 @@ using test::Case;
 
 namespace {
 
-using oracle::Answer, oracle::Long;
+using oracle::Answer, oracle::Oracle;
+using test::to_oracle;
 using Verdict = Shot::Verdict;
 
 Verdict verdict(const Answer& truth) {
@@ -32,12 +33,12 @@ std::string shown(const Ray<double>& ray) {
     return out.str();
 }
 
-std::string shown(const Answer& truth) {
+std::string shown(const Oracle& oracle, const Ray<double>& ray, const Answer& truth) {
     std::ostringstream out;
     out << shown(verdict(truth));
     if (!truth.first) return out.str();
-    out << " of " << truth.first->surface << " at t = " << truth.first->t.size.str(25) << ", meets " << truth.met.size()
-        << ":";
+    out << " of " << truth.first->surface << " at t = " << oracle.t_text(to_oracle(ray), *truth.first, 25) << ", meets "
+        << truth.met.size() << ":";
     for (const oracle::Meeting& meeting : truth.met) out << " " << meeting.surface;
     return out.str();
 }
@@ -71,43 +72,35 @@ struct Tally {
 };
 
 /// The size of t that a double can hold with all its digits.
-bool is_ordinary(const Long& t) {
+bool is_ordinary(long double t) {
     return t > std::numeric_limits<double>::min() && t < std::numeric_limits<double>::max();
 }
 
 /// Judges one shot; false if anything is wrong. `proven` shots know their error.
-bool judge(Tally& tally, const Ray<double>& ray, const Answer& truth, const Shot& shot, bool proven) {
+bool judge(Tally& tally, const Oracle& oracle, const Ray<double>& ray, const Answer& truth, const Shot& shot,
+           bool proven) {
     const int before = tally.wrong() + tally.broken_bounds;
+    const auto is_right = [&] { return before == tally.wrong() + tally.broken_bounds; };
     ++tally.rays;
     tally.exactly += truth.valid && !shot.by_filter;
     if (shot.verdict != verdict(truth)) ++tally.wrong_verdicts;
     else if (truth.first && shot.surface != truth.first->surface) ++tally.wrong_surfaces;
     if (shot.hits != truth.met.size()) ++tally.wrong_counts;
-    if (!proven || !truth.first || shot.verdict != Verdict::hit) return before == tally.wrong() + tally.broken_bounds;
+    if (!proven || !truth.first || shot.verdict != Verdict::hit) return is_right();
 
     ++tally.hits;
-    const oracle::Distance& t = truth.first->t;
-    if (!(shot.t_error >= 0)) ++tally.broken_bounds;
-    if (!std::isfinite(shot.t)) {
-        if (std::isfinite(shot.t_error) || is_ordinary(t.size)) ++tally.broken_bounds;
-        return before == tally.wrong() + tally.broken_bounds;
+    const oracle::Ray its_ray = to_oracle(ray);
+    const long double t = truth.first->high;
+    if (!oracle.is_within(its_ray, *truth.first, shot.t, shot.t_error)) ++tally.broken_bounds;
+    if (!is_ordinary(t)) return is_right();
+    const long double error = oracle.error_of(its_ray, *truth.first, shot.t);
+    const auto relative = static_cast<double>(error / t);
+    if (!(relative <= tally.worst_t)) {
+        tally.worst_t = relative;
+        tally.worst_ray = shown(ray);
     }
-    const auto got = static_cast<double>(shot.t);
-    const auto rest = static_cast<double>(shot.t - got);
-    const double e = shot.t_error;
-    if (std::isfinite(e) &&
-        (compare(oracle::sum({got, rest, -e}), t) > 0 || compare(oracle::sum({got, rest, e}), t) < 0))
-        ++tally.broken_bounds;
-    const Long error = abs(Long(shot.t) - t.size);
-    if (is_ordinary(t.size)) {
-        const auto relative = static_cast<double>(error / t.size);
-        if (relative > tally.worst_t) {
-            tally.worst_t = relative;
-            tally.worst_ray = shown(ray);
-        }
-        if (error > ldexp(t.size, -240)) tally.looseness.push_back(static_cast<double>(Long(shot.t_error) / error));
-    }
-    return before == tally.wrong() + tally.broken_bounds;
+    if (error > 0) tally.looseness.push_back(static_cast<double>(shot.t_error / error));
+    return is_right();
 }
 
 std::vector<Shot> shoot_in(const Case& c, const Options& options, std::span<const Ray<double>> rays) {
@@ -128,17 +121,17 @@ struct Results {
     Tally certified, one_by_one, textbook, exact, plain;
 
     void add(const Case& c) {
-        const oracle::Oracle oracle(c.scene);
+        const Oracle oracle(test::surfaces_of(c.scene));
         const std::vector<Shot> together = shoot_in(c, in(Scalar::certified), c.rays);
         const std::vector<Shot> in_double = shoot_in(c, in(Scalar::double_), c.rays);
         for (std::size_t i = 0; i < c.rays.size(); ++i) {
             const Ray<double>& ray = c.rays[i];
-            const Answer truth = oracle(ray);
-            judge(plain, ray, truth, in_double[i], false);
-            told(c, ray, truth, together[i], judge(certified, ray, truth, together[i], true));
+            const Answer truth = oracle(to_oracle(ray));
+            judge(plain, oracle, ray, truth, in_double[i], false);
+            told(c, oracle, ray, truth, together[i], judge(certified, oracle, ray, truth, together[i], true));
             const auto alone = [&](Tally& tally, const Options& options) {
                 const Shot shot = shoot_in(c, options, {&ray, 1}).at(0);
-                told(c, ray, truth, shot, judge(tally, ray, truth, shot, true));
+                told(c, oracle, ray, truth, shot, judge(tally, oracle, ray, truth, shot, true));
             };
             // A filter that need only cover this one ray is the sharpest.
             if (i % 8 == 3) alone(one_by_one, in(Scalar::certified));
@@ -150,10 +143,11 @@ struct Results {
 private:
     int told_ = 0;
 
-    void told(const Case& c, const Ray<double>& ray, const Answer& truth, const Shot& shot, bool is_right) {
+    void told(const Case& c, const Oracle& oracle, const Ray<double>& ray, const Answer& truth, const Shot& shot,
+              bool is_right) {
         if (is_right || ++told_ > 5) return;
-        MESSAGE(c.name << "\n  ray      " << shown(ray) << "\n  expected " << shown(truth) << "\n  got      "
-                       << shown(shot));
+        MESSAGE(c.name << "\n  ray      " << shown(ray) << "\n  expected " << shown(oracle, ray, truth)
+                       << "\n  got      " << shown(shot));
     }
 };
 
