@@ -564,7 +564,7 @@ Drawn draw(std::uint64_t seed, std::string_view name) {
     turn(random, drawn);
     if (random.one_in(3)) scale(random, drawn);
     if (drawn.surfaces.size() == 0) drawn.surfaces.spheres.push_back({{}, 1});
-    for (int n = 0; n < 24; ++n) drawn.rays.push_back(any_ray(random, drawn.surfaces));
+    for (int n = 0; n < 32; ++n) drawn.rays.push_back(any_ray(random, drawn.surfaces));
     return drawn;
 }
 

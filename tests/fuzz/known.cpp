@@ -29,7 +29,7 @@ Drawn squares_of_few_bits() {
 
 /// Far from the origin: the rays' directions must not lose digits by it. Nearer still the same.
 Drawn far_eye(double scale) {
-    Drawn drawn{"known", {}, {}, 41, 41, {}};
+    Drawn drawn{"known", {}, {}, 13, 13, {}};
     drawn.view = Pinhole{{3 * scale, scale, 2 * scale}, {0, 0, 0}, {0, 0, 1}, 45};
     drawn.surfaces.spheres = {{{0, 0, 0}, scale}};
     drawn.surfaces.triangles = {{{scale, -scale, 0}, {scale, scale, 0}, {0, 0, 2 * scale}}};

@@ -38,7 +38,7 @@ struct Request {
     std::string kind, folder;
 };
 
-/// So many faults of one kind by one route are shown whole; the others are counted.
+/// So many faults of one kind in scenes of one kind are shown whole; the others are counted.
 constexpr int shown_whole = 2;
 
 class Run {
@@ -105,8 +105,9 @@ private:
         for (const Route& route : routes_) {
             const std::optional<Fault> fault = check(route, *trial);
             if (!fault) continue;
-            const int count_of_it = ++faults_[fault->kind + ", " + route.name];
-            if (kinds_here.insert(fault->kind).second && count_of_it <= shown_whole) show(seed, drawn, *fault, route);
+            ++faults_[fault->kind + ", " + route.name];
+            if (kinds_here.insert(fault->kind).second && ++shown_[drawn.kind + fault->kind] <= shown_whole)
+                show(seed, drawn, *fault, route);
         }
         wrong_scenes_ += !kinds_here.empty();
     }
@@ -166,7 +167,7 @@ private:
     std::vector<Route> routes_ = all_routes();
     std::size_t scenes_ = 0, pixels_ = 0, rays_ = 0, wrong_scenes_ = 0;
     std::map<std::string, Count> of_kind_;
-    std::map<std::string, int> faults_, refusals_;
+    std::map<std::string, int> faults_, shown_, refusals_;
 };
 
 /// The number that a text is, all of it.

@@ -50,7 +50,8 @@ TEST_CASE("a root that no double can say: √(25 − 1) from (1, 0, 0) along z")
     CHECK(oracle.compare(ray, *met, {root}) == (std::fma(root, root, -24.0) < 0 ? 1 : -1));
     CHECK(oracle.compare(same, *met_by_same, {root}) == oracle.compare(ray, *met, {root}));
     CHECK(oracle.compare(longer, *met_by_longer, {root / 2}) == oracle.compare(ray, *met, {root}));
-    CHECK(oracle.error_of(ray, *met, root) == doctest::Approx(std::abs(std::sqrt(24.0L) - root)).epsilon(1e-3));
+    const auto error = static_cast<double>(oracle.error_of(ray, *met, root));
+    CHECK(error == doctest::Approx(static_cast<double>(std::abs(std::sqrt(24.0L) - root))).epsilon(1e-3));
     CHECK(oracle.is_within(ray, *met, root, std::nextafter(root, 9) - root));
     CHECK(!oracle.is_within(ray, *met, root, 0));
     CHECK(oracle.t_text(ray, *met, 20) == "4.8989794855663561964");  // √24
