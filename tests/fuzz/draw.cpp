@@ -251,6 +251,26 @@ Drawn sizes(Random& random) {
     return drawn;
 }
 
+/// Spheres whose squares have few bits left, or none, all over the picture, and something of ordinary size behind.
+Drawn tiny(Random& random) {
+    Drawn drawn;
+    const int k = random.between(0, 2);
+    const double ahead = random.sign();
+    for (int n = random.between(1, 2); n > 0; --n) {
+        const int e = random.one_in(3) ? random.between(-542, -524) : random.between(-538, -535);
+        const double away = std::ldexp(1 + random.fraction(), e);
+        const Point beside = 0.25 * away * on_lattice(random, random.of({0, 1}));
+        drawn.surfaces.spheres.push_back({along(k, ahead * away) + beside, away * random.of({0.5, 0.25, 0.75, 0.9})});
+    }
+    const auto corner = [&](double a, double b) {
+        return along(k, ahead) + along((k + 1) % 3, a) + along((k + 2) % 3, b);
+    };
+    drawn.surfaces.triangles.push_back({corner(-5, -5), corner(5, -5), corner(0, 5)});
+    drawn.width = drawn.height = random.between(24, 48);
+    drawn.view = Pinhole{{}, along(k, ahead), along((k + 1) % 3, 1), random.of({90.0, 60.0, 45.0})};
+    return drawn;
+}
+
 /// Pixels hardly apart where rays only just touch a sphere, and what touches it there.
 Drawn grazing(Random& random) {
     Drawn drawn;
@@ -384,9 +404,9 @@ struct Kind {
     int share;
 };
 
-constexpr std::array all_kinds{Kind{"lattice", lattice, 30}, Kind{"balanced", balanced, 10}, Kind{"sizes", sizes, 14},
-                               Kind{"grazing", grazing, 12}, Kind{"slivers", slivers, 8},    Kind{"heap", heap, 14},
-                               Kind{"mesh", mesh, 11},       Kind{"many", many, 1}};
+constexpr std::array all_kinds{Kind{"lattice", lattice, 28}, Kind{"balanced", balanced, 10}, Kind{"sizes", sizes, 14},
+                               Kind{"grazing", grazing, 12}, Kind{"slivers", slivers, 8},    Kind{"heap", heap, 12},
+                               Kind{"tiny", tiny, 4},        Kind{"mesh", mesh, 11},         Kind{"many", many, 1}};
 
 /// Of a hundred seeds in a row each kind has its share, well mixed.
 const Kind& kind_of(std::uint64_t seed, std::string_view name) {
@@ -560,9 +580,9 @@ Drawn draw(std::uint64_t seed, std::string_view name) {
     drawn.kind = kind.name;
     if (random.one_in(4)) jitter(random, drawn);
     if (random.one_in(kind.draw == balanced ? 2 : 4)) put_behind(random, drawn);
-    if (random.one_in(4) && kind.draw != balanced) move(random, drawn);
+    if (random.one_in(4) && kind.draw != balanced && kind.draw != tiny) move(random, drawn);
     turn(random, drawn);
-    if (random.one_in(3)) scale(random, drawn);
+    if (random.one_in(3) && kind.draw != tiny) scale(random, drawn);
     if (drawn.surfaces.size() == 0) drawn.surfaces.spheres.push_back({{}, 1});
     for (int n = 0; n < 32; ++n) drawn.rays.push_back(any_ray(random, drawn.surfaces));
     return drawn;
