@@ -16,6 +16,7 @@
 #include "render/render.hpp"
 #include "render/surfaces.hpp"
 #include "render/view.hpp"
+#include "scene/printable.hpp"
 #include "scene/scene_file.hpp"
 
 namespace glassbox {
@@ -96,7 +97,7 @@ void bench_probes(const Scene& scene, int runs) {
 void bench_scene(const std::string& name, const Scene& scene, int runs, const std::stop_token& stop) {
     const Surfaces<double> all = surfaces<double>(scene, 5);
     const std::size_t count = all.spheres.size() + all.triangles.size();
-    fmt::print("\n{}: {} x {} pixels, {} surfaces\n", name, scene.width, scene.height, count);
+    fmt::print("\n{}: {} x {} pixels, {} surfaces\n", printable(name), scene.width, scene.height, count);
     const bool papers = name == "levental-2014";
     std::vector<Work> works{
         rendering(scene, Scalar::double_, "picture in double, 1 thread", {1, stop, nullptr}),

@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/scene_path.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox {
 
@@ -45,7 +46,7 @@ std::vector<Finding> surroundings() {
     const std::filesystem::path scenes = shipped_scenes();
     const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     return {
-        {!scenes.empty(), scenes.empty() ? "its own scenes" : "its own scenes are in " + scenes.string(),
+        {!scenes.empty(), scenes.empty() ? "its own scenes" : "its own scenes are in " + printable(scenes.string()),
          "install it with cmake --install, or keep the source folder where it was built"},
         {true, fmt::format("{} threads", std::max(1u, std::thread::hardware_concurrency())), ""},
         {true, display ? "there is a display" : "there is no display; render, measure and shoot need none", ""},

@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/notes.hpp"
+#include "cli/tell.hpp"
 #include "cli/typed.hpp"
 #include "explain/json.hpp"
 #include "explain/shell_word.hpp"
@@ -40,7 +41,7 @@ void run(const CLI::App& command, const ExplainRequest& request) {
     note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
     Story story = explain(scene, request.options, x, y);
     story.command = again(command, request);
-    fmt::print("{}", request.json ? to_json(story) : to_text(story));
+    print_text(request.json ? to_json(story) : to_text(story));
 }
 
 }  // namespace

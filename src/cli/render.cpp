@@ -1,7 +1,5 @@
 #include "render/render.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 
@@ -10,6 +8,7 @@
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_path.hpp"
+#include "cli/tell.hpp"
 #include "output/output_file.hpp"
 
 namespace glassbox {
@@ -32,7 +31,7 @@ void run(const CLI::App& command, const RenderRequest& request, Session& session
         return render(scene, request.options, {request.threads, session.interrupt.token(), &progress.done()});
     }();
     write_picture(out, image, session.interrupt.token());
-    if (request.out.empty()) fmt::print("{}\n", fs::absolute(out).string());
+    if (request.out.empty()) print_name(fs::absolute(out).string());
 }
 
 }  // namespace

@@ -4,20 +4,20 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
 
 #include "scene/error.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox {
 
-void tell(std::string line) {
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
-    std::fputs((line + '\n').c_str(), stderr);
-}
+void tell(std::string_view line) { std::fputs((printable(line) + '\n').c_str(), stderr); }
+
+void print_text(std::string_view text) { fmt::print("{}", printable_lines(text)); }
+
+void print_name(const std::string& name) { fmt::print("{}\n", ::isatty(STDOUT_FILENO) == 1 ? printable(name) : name); }
 
 void check_printed() {
     errno = 0;

@@ -154,7 +154,7 @@ std::string to_json(const Story& story) {
         {"not_listed", story.not_listed},
         {"hit", story.hit ? json(*story.hit) : Json(nullptr)},
     };
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+    return all.dump(1, ' ', true, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace glassbox

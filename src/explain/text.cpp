@@ -9,6 +9,7 @@
 #include "explain/scalar_of_steps.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
+#include "scene/printable.hpp"
 #include "scene/shading_models.hpp"
 
 namespace glassbox {
@@ -184,7 +185,7 @@ void tell_hit(Page& page, const Story& story, const FirstHit& hit) {
 std::string to_text(const Story& story) {
     std::string text = fmt::format("Pixel ({}, {}) of {} × {}, column {} and row {} from the bottom left\n", story.x,
                                    story.y, story.width, story.height, story.column, story.row);
-    if (!story.title.empty()) text += "  " + story.title + '\n';
+    if (!story.title.empty()) text += "  " + printable(story.title) + '\n';
     Page page;
     tell_pixel(page, story);
     tell_ray(page, story);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/font.hpp"
+#include "scene/utf8.hpp"
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -34,30 +35,13 @@ struct Font {
     }
 };
 
-/// How many bytes the UTF-8 character at the front takes; 1 for a byte that begins none.
-std::size_t length_of_first(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
-                               : lead >= 0xE0 && lead < 0xF0 ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                             : 1;
-    if (length > text.size()) return 1;
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-    return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length), continues) ? length : 1;
-}
-
-char32_t first_character(std::string_view text) {
-    const std::size_t length = length_of_first(text);
-    const auto lead = static_cast<unsigned char>(text.front());
-    if (length == 1) return lead < 0x80 ? lead : U'\uFFFD';
-    char32_t code = lead & (0x7Fu >> length);
-    for (const char c : text.substr(1, length - 1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
-    return code;
-}
-
 std::u32string characters(std::string_view text) {
     std::u32string all;
-    for (; !text.empty(); text.remove_prefix(length_of_first(text))) all += first_character(text);
+    while (!text.empty()) {
+        const auto [code, size] = first_character(text);
+        all += code.value_or(U'\uFFFD');
+        text.remove_prefix(size);
+    }
     return all;
 }
 

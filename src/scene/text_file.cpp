@@ -7,6 +7,8 @@
 #include <system_error>
 
 #include "scene/error.hpp"
+#include "scene/printable.hpp"
+#include "scene/utf8.hpp"
 
 namespace glassbox {
 
@@ -38,24 +40,9 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 std::optional<std::size_t> first_not_utf8(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     for (std::size_t i = 0; i < text.size();) {
-        const unsigned lead = byte(i);
-        const std::size_t size = lead < 0x80   ? 1
-                                 : lead < 0xC2 ? 0
-                                 : lead < 0xE0 ? 2
-                                 : lead < 0xF0 ? 3
-                                 : lead < 0xF5 ? 4
-                                               : 0;
-        if (size == 0 || i + size > text.size()) return i;
-        unsigned code = size == 1 ? lead : lead & (0x7Fu >> size);
-        for (std::size_t k = i + 1; k < i + size; ++k) {
-            if ((byte(k) & 0xC0u) != 0x80u) return i;
-            code = code << 6 | (byte(k) & 0x3Fu);
-        }
-        // Longer than need be, a surrogate, or beyond Unicode's end.
-        if ((size == 3 && code < 0x800) || (size == 4 && code < 0x10000)) return i;
-        if ((code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return i;
+        const auto [code, size] = first_character(text.substr(i));
+        if (!code) return i;
         i += size;
     }
     return std::nullopt;
@@ -66,10 +53,7 @@ std::string in_quotes(std::string_view text) {
     std::size_t size = std::min(text.size(), most);
     if (size < text.size())  // not in the middle of a character
         while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
-    std::string shown(text.substr(0, size));
-    std::replace_if(
-        shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, '?');
-    return "'" + shown + (size < text.size() ? "…'" : "'");
+    return "'" + printable(text.substr(0, size)) + (size < text.size() ? "…'" : "'");
 }
 
 }  // namespace glassbox

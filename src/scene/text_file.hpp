@@ -15,7 +15,7 @@ std::string read_text(const std::filesystem::path& file);
 /// Where the first byte lies that is not well-formed UTF-8, if there is one.
 std::optional<std::size_t> first_not_utf8(std::string_view text);
 
-/// The text between quotes, fit to stand in a line of a message: cut where it is long, without control characters.
+/// The text between quotes, fit to stand in a line of a message: cut where it is long, and printable.
 std::string in_quotes(std::string_view text);
 
 }  // namespace glassbox

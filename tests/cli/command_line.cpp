@@ -127,6 +127,7 @@ TEST_CASE("measurements are names between commas, each once") {
 
 TEST_CASE("control characters do not break the line") {
     check_all({{render({"--size", "a\nb\x1b[31m"}), {"'a?b?[31m'"}}});
+    check_all({{render({"--size", "a\u009b31m\u202eb\xe9"}), {"'a?31m?b?'"}}});  // C1, right-to-left, not UTF-8
 }
 
 TEST_CASE("help and version: for every command, on stdout, status 0") {

@@ -6,6 +6,7 @@
 
 #include "cli/program.hpp"
 #include "cli/tiny_scene.hpp"
+#include "scene/printable.hpp"
 
 using namespace glassbox::test;
 
@@ -34,6 +35,25 @@ TEST_CASE("the command in a story tells the same story again") {
     for (const char* part : {"--pixel 2,1", "--turn z:1,y:-2", "--size 8x6", "--diffuse .5", "--triangle tolerance:3"})
         CHECK_MESSAGE(command.find(part) != std::string::npos, part);
     CHECK(command.find("json") == std::string::npos);
+}
+
+TEST_CASE("a title, a file's name and what they hold do not command the terminal") {
+    const Folder folder;
+    // Escape and a colour, a C1 code, a right-to-left override, a line of its own, and in the name a byte of Latin-1.
+    const std::string scene = std::string("title = \"a\\u001b[31mb\\u009b31mc\\u202Ed\\ne\"\n") + tiny_scene;
+    const std::string name = "a\x1b[31m'b\xe9.toml";
+    write(folder / name, scene);
+    const Ran text = run_glassbox({"explain", name, "--pixel", "1,1"}, {.folder = folder.path});
+    CHECK(text.status == 0);
+    CHECK(text.out.find("\n  a?[31mb?31mc?d?e\n") != std::string::npos);
+    // 27 is 033 in octal, and 0xe9 is 351.
+    CHECK(text.out.find("glassbox explain $'a\\033[31m\\'b\\351.toml' --pixel 1,1\n") != std::string::npos);
+    CHECK(text.out == glassbox::printable_lines(text.out));
+
+    const Ran json = run_glassbox({"explain", name, "--pixel", "1,1", "--json"}, {.folder = folder.path});
+    CHECK(json.status == 0);
+    CHECK(json.out == glassbox::printable_lines(json.out));
+    CHECK(nlohmann::json::parse(json.out)["title"] == "a\x1b[31mb\u009b31mc\u202Ed\ne");
 }
 
 TEST_CASE("pixels that are none") {

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace glassbox {
+
+/// A character of UTF-8 text and how many bytes it takes; no code, and one byte, for a byte that begins none.
+struct Utf8Character {
+    std::optional<char32_t> code;
+    std::size_t size = 1;
+};
+
+/// The first character of a text that is not empty, as RFC 3629 says what well-formed UTF-8 is.
+Utf8Character first_character(std::string_view text);
+
+}  // namespace glassbox
