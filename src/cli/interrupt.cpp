@@ -11,32 +11,46 @@ namespace glassbox {
 
 namespace {
 
-bool is_ignored(int signal) {
+/// The destructor's own word that nothing is left to wait for. From anyone else it means nothing, as it always does.
+constexpr int wake = SIGURG;
+
+/// What ends a program that does not care. Not here: SIGPIPE, which ends a filter in silence when its reader has seen
+/// enough, and what a fault of the program itself raises.
+constexpr int deadly[] = {
+    SIGINT,  SIGTERM, SIGHUP,    SIGQUIT, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGUSR1, SIGUSR2,
+#ifdef __linux__
+    SIGPOLL, SIGPWR,  SIGSTKFLT,
+#endif
+};
+
+/// Whether the signal is neither ignored nor, as by a profiler, already answered.
+bool would_end_us(int signal) {
     struct sigaction action {};
-    return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+    return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
 }
 
-/// Ctrl-C, a polite kill, a closed terminal; and the destructor's own word that nothing is left to wait for.
 sigset_t awaited_signals() {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (!is_ignored(signal)) sigaddset(&set, signal);
-    sigaddset(&set, SIGUSR1);
+    for (const int signal : deadly)
+        if (would_end_us(signal)) sigaddset(&set, signal);
+    sigaddset(&set, wake);
     return set;
 }
 
-/// Ends the program at once, whatever the other threads are doing.
-[[noreturn]] void end() {
-    const std::string erase_bar = ::isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
-    const std::string line = erase_bar + std::string(Interrupt::message) + '\n';
-    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, line.data(), line.size());
-    ::_exit(Interrupt::exit_status);
+/// A write beyond the limit then fails with EFBIG. By a handler and not SIG_IGN, which programs that we start would
+/// inherit.
+void let_writes_fail_at_the_limit() {
+    struct sigaction nothing {};
+    nothing.sa_handler = [](int) {};
+    nothing.sa_flags = SA_RESTART;
+    ::sigaction(SIGXFSZ, &nothing, nullptr);
 }
 
 }  // namespace
 
 Interrupt::Interrupt() {
+    let_writes_fail_at_the_limit();
     const sigset_t set = awaited_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     waiter_ = std::thread([this, set] { wait_for_signal(set); });
@@ -48,18 +62,41 @@ Interrupt::~Interrupt() {
         work_is_over_ = true;
     }
     over_.notify_one();
-    pthread_kill(waiter_.native_handle(), SIGUSR1);
+    pthread_kill(waiter_.native_handle(), wake);
     waiter_.join();
 }
 
+Interrupt::Ending Interrupt::ending() const {
+    if (signal_ == SIGXCPU)
+        return {
+            "glassbox: error: the limit on processor time (ulimit -t) is reached; raise it, or ask for less; no "
+            "half-written file is left",
+            1};
+    return {"glassbox: interrupted; no half-written file is left", 130};
+}
+
 void Interrupt::wait_for_signal(const sigset_t& awaited) {
-    int signal = 0;
-    sigwait(&awaited, &signal);
-    if (signal == SIGUSR1) return;
+    const auto is_over = [this] { return work_is_over_; };
+    int signal = wake;
+    while (signal == wake) {
+        sigwait(&awaited, &signal);
+        const std::lock_guard lock(mutex_);
+        if (is_over()) return;
+    }
+    signal_ = signal;
     source_.request_stop();
     std::unique_lock lock(mutex_);
-    if (over_.wait_for(lock, std::chrono::milliseconds(20), [this] { return work_is_over_; })) return;
+    if (over_.wait_for(lock, std::chrono::milliseconds(20), is_over)) return;
     end();
+}
+
+/// Ends the program at once, whatever the other threads are doing.
+void Interrupt::end() const {
+    const auto [message, status] = ending();
+    const std::string erase_bar = ::isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+    const std::string line = erase_bar + message + '\n';
+    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, line.data(), line.size());
+    ::_exit(status);
 }
 
 }  // namespace glassbox

@@ -1,6 +1,7 @@
 #pragma once
 #include <signal.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <stop_token>
@@ -8,11 +9,11 @@
 
 namespace glassbox {
 
-/// While it lives, Ctrl-C (or SIGTERM, or SIGHUP from a terminal that goes) asks the work to stop instead of killing
-/// the program. Work that cannot stop within 20 ms is ended, with the exit status of an interrupted program;
-/// half-written files are gone by then, because their writer answers the request at once. A signal that the program was
-/// started to ignore, as nohup does, stays ignored. Make it before any other thread: they inherit which signals are its
-/// own.
+/// While it lives, Ctrl-C, or any other signal that would end the program and can wait (a polite kill, a terminal that
+/// goes, an alarm, the soft limit on processor time), asks the work to stop instead of killing the program. Work that
+/// cannot stop within 20 ms is ended; half-written files are gone by then, because their writer answers the request at
+/// once. A signal that the program was started to ignore, as nohup does, stays ignored; a file that grows beyond the
+/// limit on its size is an error of writing. Make it before any other thread: they inherit which signals are its own.
 class Interrupt {
 public:
     Interrupt();
@@ -22,13 +23,19 @@ public:
 
     std::stop_token token() const { return source_.get_token(); }
 
-    static constexpr int exit_status = 130;
-    static constexpr const char* message = "glassbox: interrupted; no half-written file is left";
+    /// What a program that was asked to stop says, and its exit status.
+    struct Ending {
+        const char* message;
+        int status;
+    };
+    Ending ending() const;
 
 private:
     void wait_for_signal(const sigset_t& awaited);
+    [[noreturn]] void end() const;
 
     std::stop_source source_;
+    std::atomic<int> signal_ = 0;
     std::mutex mutex_;
     std::condition_variable over_;
     bool work_is_over_ = false;

@@ -30,7 +30,7 @@ void add_commands(CLI::App& program, glassbox::Session& session) {
 }
 
 /// Does what the command line says. Throws CLI::ParseError if it cannot be understood.
-int run(CLI::App& program, int argc, char** argv) {
+int obey(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);
         return 0;
@@ -38,6 +38,20 @@ int run(CLI::App& program, int argc, char** argv) {
         return program.exit(wanted);
     } catch (const CLI::RuntimeError& ended) {
         return ended.get_exit_code();
+    }
+}
+
+int run(CLI::App& program, int argc, char** argv) {
+    glassbox::Session session;
+    add_commands(program, session);
+    try {
+        const int status = obey(program, argc, argv);
+        glassbox::check_printed();
+        return status;
+    } catch (const glassbox::Cancelled&) {
+        const auto [message, status] = session.interrupt.ending();
+        glassbox::tell(message);
+        return status;
     }
 }
 
@@ -49,17 +63,10 @@ int main(int argc, char** argv) {
     CLI::App program("A ray tracer that you can see through: renders a scene, and shows every number behind it.",
                      "glassbox");
     try {
-        glassbox::Session session;
-        add_commands(program, session);
-        const int status = run(program, argc, argv);
-        glassbox::check_printed();
-        return status;
+        return run(program, argc, argv);
     } catch (const CLI::ParseError& error) {
         tell(glassbox::refusal(program, error));
         return bad_command_line;
-    } catch (const glassbox::Cancelled&) {
-        tell(glassbox::Interrupt::message);
-        return glassbox::Interrupt::exit_status;
     } catch (const glassbox::Error& error) {
         tell(error.what());
         return work_failed;

@@ -1,6 +1,5 @@
 #include "render/shoot.hpp"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -34,11 +33,10 @@ void check_keeps_inputs(const ShootRequest& request) {
             throw error_at({request.out}, "this file is read, and would be lost; name another one for the hits");
 }
 
-/// Into stdout as it is: at the end of what is there already, where it is a file.
 void print(const std::vector<Shot>& shots, Scalar scalar, const std::stop_token& stop) {
     const auto sink = [&](std::span<const std::byte> piece) {
         if (stop.stop_requested()) throw Cancelled{};
-        if (std::fwrite(piece.data(), 1, piece.size(), stdout) != piece.size()) check_printed();
+        print_bytes({reinterpret_cast<const char*>(piece.data()), piece.size()});
     };
     hits_table(shots, scalar, sink);
     check_printed();

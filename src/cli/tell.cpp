@@ -13,17 +13,32 @@
 
 namespace glassbox {
 
+namespace {
+
+Error not_printed(int number) {
+    const std::string why = number == 0 ? "some of it was not taken" : std::generic_category().message(number);
+    const char* remedy =
+        number == EFBIG ? "raise the limit on the size of files (ulimit -f)" : "send it to a file or a terminal";
+    return error_at({"standard output"}, fmt::format("cannot write: {}; {}", why, remedy));
+}
+
+}  // namespace
+
 void tell(std::string_view line) { std::fputs((printable(line) + '\n').c_str(), stderr); }
 
-void print_text(std::string_view text) { fmt::print("{}", printable_lines(text)); }
+void print_bytes(std::string_view bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) throw not_printed(errno);
+}
 
-void print_name(const std::string& name) { fmt::print("{}\n", ::isatty(STDOUT_FILENO) == 1 ? printable(name) : name); }
+void print_text(std::string_view text) { print_bytes(printable_lines(text)); }
+
+void print_name(const std::string& name) {
+    print_bytes((::isatty(STDOUT_FILENO) == 1 ? printable(name) : name) + '\n');
+}
 
 void check_printed() {
     errno = 0;
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-    const std::string why = errno == 0 ? "some of it was not taken" : std::generic_category().message(errno);
-    throw error_at({"standard output"}, fmt::format("cannot write: {}; send it to a file or a terminal", why));
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw not_printed(errno);
 }
 
 void keep_stderr_open() {

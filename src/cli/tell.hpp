@@ -8,6 +8,9 @@ namespace glassbox {
 /// closed is not worth ending the program for.
 void tell(std::string_view line);
 
+/// Writes to stdout, at the end of what is there already. Throws Error if it is not taken.
+void print_bytes(std::string_view bytes);
+
 /// Writes text to be read to stdout, printable whatever it quotes.
 void print_text(std::string_view text);
 

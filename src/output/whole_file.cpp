@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -42,6 +43,8 @@ std::string remedy(const fs::path& path, int number) {
         case EPERM:
         case EROFS:
             return "allow writing there, or name a file in a folder of your own";
+        case EFBIG:
+            return "raise the limit on the size of files (ulimit -f), or name a file on another disk";
         case ENOSPC:
         case EDQUOT:
             return "free some space, or name a file on another disk";
@@ -68,6 +71,9 @@ public:
     }
 
     int descriptor() const { return descriptor_; }
+
+    /// For writing; a descriptor of -1 and errno if it fails.
+    void open(const fs::path& path, int how) { descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | how, 0666); }
 
     /// 0, or the error number: some file systems report a full disk no sooner.
     int close() {
@@ -104,6 +110,75 @@ private:
     std::stop_callback<std::function<void()>> at_stop_;
 };
 
+/// A name in that folder that was free until `take` made a file of it; `take` returns whether it could.
+fs::path take_free_name(const fs::path& folder, const fs::path& shown,
+                        const std::function<bool(const fs::path&)>& take) {
+    for (int attempt = 0; attempt < 10000; ++attempt) {
+        fs::path path = folder / fmt::format(".glassbox-{}-{}.tmp", ::getpid(), attempt);
+        if (take(path)) return path;
+        if (errno != EEXIST) fail(shown, errno);
+    }
+    fail(shown, EEXIST);
+}
+
+/// Where the system shows an open file, whether or not it has another name.
+std::string shown_by_system(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// A file without a name, to be given one when it is whole; the system takes it back whatever ends the program, even
+/// SIGKILL. -1 where the file system knows no such files, or the system no way to name them.
+int create_nameless([[maybe_unused]] const fs::path& folder) {
+#if defined O_TMPFILE && !defined GLASSBOX_NAMED_TEMPORARIES
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor < 0 || ::access(shown_by_system(descriptor).c_str(), F_OK) == 0) return descriptor;
+    ::close(descriptor);
+#endif
+    return -1;
+}
+
+/// A new file in a folder, not to be seen under its own name before it is whole. Its mode is 0666 less the umask, as
+/// for any new file.
+class Draft {
+public:
+    Draft(fs::path folder, const fs::path& shown, const std::stop_token& stop)
+        : folder_(std::move(folder)), shown_(shown), stop_(stop), file_(create_nameless(folder_)) {
+        if (file_.descriptor() >= 0) return;
+        const auto create = [&](const fs::path& path) {
+            file_.open(path, O_CREAT | O_EXCL);
+            return file_.descriptor() >= 0;
+        };
+        temporary_.emplace(take_free_name(folder_, shown_, create), stop_);
+    }
+
+    const OpenFile& file() const { return file_; }
+
+    /// Gives the whole file its name.
+    void publish(const fs::path& target) {
+        // Synchronised before the rename: after a power cut the name must not stand for an empty file.
+        if (::fsync(file_.descriptor()) != 0 && errno != EINVAL && errno != ENOTSUP) fail(shown_, errno);
+        if (!temporary_) link();  // only renaming replaces a file that is there, and only a name can be renamed
+        if (const int number = file_.close()) fail(shown_, number);
+        const int number = temporary_->rename(target);
+        if (number == 0) return;
+        if (stop_.stop_requested()) throw Cancelled{};
+        fail(shown_, number);
+    }
+
+private:
+    void link() {
+        const std::string nameless = shown_by_system(file_.descriptor());
+        const auto link_to = [&](const fs::path& path) {
+            return ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
+        };
+        temporary_.emplace(take_free_name(folder_, shown_, link_to), stop_);
+    }
+
+    fs::path folder_;
+    const fs::path& shown_;
+    std::stop_token stop_;
+    OpenFile file_;
+    std::optional<Temporary> temporary_;
+};
+
 void write_bytes(const OpenFile& file, std::span<const std::byte> bytes, const fs::path& shown,
                  const std::stop_token& stop) {
     while (!bytes.empty()) {
@@ -117,7 +192,7 @@ void write_bytes(const OpenFile& file, std::span<const std::byte> bytes, const f
 }
 
 /// Pieces are gathered to whole chunks, so that a sink may be fed a line at a time.
-void write_pieces(OpenFile& file, const std::function<void(const Sink&)>& produce, const fs::path& shown,
+void write_pieces(const OpenFile& file, const std::function<void(const Sink&)>& produce, const fs::path& shown,
                   const std::stop_token& stop) {
     std::vector<std::byte> waiting;
     produce([&](std::span<const std::byte> piece) {
@@ -156,17 +231,6 @@ void write_directly(const fs::path& path, const std::function<void(const Sink&)>
     if (const int number = file.close()) fail(shown, number);
 }
 
-/// Creates a file with a name of its own in that folder; the mode is 0666 less the umask, as for any new file.
-std::pair<fs::path, int> create_temporary(const fs::path& folder, const fs::path& shown) {
-    for (int attempt = 0; attempt < 10000; ++attempt) {
-        fs::path path = folder / fmt::format(".glassbox-{}-{}.tmp", ::getpid(), attempt);
-        const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0) return {std::move(path), descriptor};
-        if (errno != EEXIST) fail(shown, errno);
-    }
-    fail(shown, EEXIST);
-}
-
 }  // namespace
 
 bool is_device(const fs::path& path) {
@@ -200,21 +264,13 @@ void write_whole(const fs::path& path, const std::function<void(const Sink&)>& p
 
     if (stop.stop_requested()) throw Cancelled{};  // before there is a temporary that nobody would remove
     const fs::path target = behind_links(path);
-    auto [name, descriptor] = create_temporary(folder_of(target), path);
-    Temporary temporary(std::move(name), stop);
-    OpenFile file(descriptor);
+    Draft draft(folder_of(target), path, stop);
 
     struct stat existing {};
-    if (::stat(target.c_str(), &existing) == 0 && ::fchmod(descriptor, existing.st_mode & 07777) != 0)
+    if (::stat(target.c_str(), &existing) == 0 && ::fchmod(draft.file().descriptor(), existing.st_mode & 07777) != 0)
         fail(path, errno);
-    write_pieces(file, produce, path, stop);
-    // Synchronised before the rename: after a power cut the name must not stand for an empty file.
-    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP) fail(path, errno);
-    if (const int number = file.close()) fail(path, number);
-    const int number = temporary.rename(target);
-    if (number == 0) return;
-    if (stop.stop_requested()) throw Cancelled{};
-    fail(path, number);
+    write_pieces(draft.file(), produce, path, stop);
+    draft.publish(target);
 }
 
 void write_whole(const fs::path& path, std::span<const std::byte> bytes, std::stop_token stop) {

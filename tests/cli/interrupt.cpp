@@ -1,5 +1,7 @@
-// Ctrl-C: the program ends at once with status 130, and leaves its folder as it was.
+// Ctrl-C, and all else that ends a program: it ends at once, with status 130 where it may still say so, and leaves its
+// folder as it was.
 #include <doctest.h>
+#include <sys/resource.h>
 
 #include "cli/program.hpp"
 
@@ -22,6 +24,25 @@ void check_interrupted(const Folder& folder, const Arguments& arguments, const s
     }
 }
 
+/// A soft limit that programs started meanwhile inherit.
+class Limit {
+public:
+    using Resource = decltype(RLIMIT_FSIZE);
+
+    Limit(Resource resource, rlim_t value) : resource_(resource) {
+        ::getrlimit(resource_, &before_);
+        const rlimit low{value, before_.rlim_max};
+        ::setrlimit(resource_, &low);
+    }
+    Limit(const Limit&) = delete;
+    Limit& operator=(const Limit&) = delete;
+    ~Limit() { ::setrlimit(resource_, &before_); }
+
+private:
+    Resource resource_;
+    rlimit before_{};
+};
+
 }  // namespace
 
 TEST_CASE("while tracing, whatever the signal: Ctrl-C, a polite kill, a terminal that was closed") {
@@ -29,8 +50,8 @@ TEST_CASE("while tracing, whatever the signal: Ctrl-C, a polite kill, a terminal
     write(folder / "o.png", "of an earlier run");
     const Arguments render{"render", "room", "--size", "8000x6000", "-o", "o.png"};
     check_interrupted(folder, render, {milliseconds(300), milliseconds(500)});
-    check_interrupted(folder, render, {milliseconds(300)}, SIGTERM);
-    check_interrupted(folder, render, {milliseconds(300)}, SIGHUP);
+    for (const int signal : {SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2})
+        check_interrupted(folder, render, {milliseconds(300)}, signal);
     const Arguments measure{"measure", "room", "--what", "depth,n.l", "--size", "4000x3000", "-o", "m.exr"};
     check_interrupted(folder, measure, {milliseconds(300)});
     CHECK(content(folder / "o.png") == "of an earlier run");
@@ -51,4 +72,49 @@ TEST_CASE("while reading a large file") {
     write(folder / "r.csv", rays);
     check_interrupted(folder, {"shoot", "room", "--rays", "r.csv", "--out", "h.csv"},
                       {milliseconds(200), milliseconds(400)});
+}
+
+TEST_CASE("killed while writing, when nothing can be said or done: not even then is half a file left") {
+    const Folder folder;
+    if (!can_make_nameless_files(folder.path)) return;
+    write(folder / "s.toml", "");
+    write(folder / "m.csv", "of an earlier run");
+    const Limit no_core_file(RLIMIT_CORE, 0);
+    // An empty picture is measured in no time; its 12 million lines are then written for seconds.
+    const Arguments measure{"measure", "s.toml", "--what", "hits", "--size", "4000x3000", "-o", "m.csv"};
+    for (const int signal : {SIGKILL, SIGABRT})
+        for (const milliseconds time : {milliseconds(300), milliseconds(600)}) {
+            const Ran ran = run_glassbox(measure, {.folder = folder.path, .signal_at = time, .signal = signal});
+            CHECK(ran.status == 128 + signal);
+            CHECK(folder.entries() == 2);
+            CHECK(content(folder / "m.csv") == "of an earlier run");
+        }
+}
+
+TEST_CASE("a limit on the size of files is an error of writing") {
+    const Folder folder;
+    write(folder / "s.toml", "");
+    write(folder / "o.ppm", "of an earlier run");
+    const Limit limit(RLIMIT_FSIZE, 20 * 512);  // ulimit -f 20; the picture has 300 * 200 * 3 bytes
+    for (const char* out : {"o.ppm", "new.ppm"})
+        check_refused(folder, {"render", "s.toml", "--size", "300x200", "-o", out}, 1,
+                      {std::string(out) + ": error: cannot write: File too large; raise the limit", "(ulimit -f)"});
+    const Ran printed =
+        run_glassbox({"explain", "levental-2014", "--pixel", "350,149", "--json"}, {.folder = folder.path});
+    CHECK(printed.status == 1);
+    CHECK(printed.err ==
+          "standard output: error: cannot write: File too large; raise the limit on the size of files (ulimit -f)\n");
+}
+
+TEST_CASE("the soft limit on processor time is said to be reached") {
+    const Folder folder;
+    const auto ours = std::signal(SIGXCPU, SIG_IGN);  // this test's own time counts, too
+    const Limit limit(RLIMIT_CPU, 1);
+    const Ran ran = run_glassbox({"render", "room", "--size", "8000x6000", "-o", "o.png"}, {.folder = folder.path});
+    CHECK(ran.status == 1);
+    CHECK(ran.err.ends_with(
+        "glassbox: error: the limit on processor time (ulimit -t) is reached; raise it, or ask for less; no "
+        "half-written file is left\n"));
+    CHECK(folder.entries() == 0);
+    std::signal(SIGXCPU, ours);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +37,18 @@ struct Folder {
         return std::distance(std::filesystem::directory_iterator(path), std::filesystem::directory_iterator());
     }
 };
+
+/// Whether the file system there knows files without a name (Linux, ext4 and its like), and /proc is there to name
+/// them.
+inline bool can_make_nameless_files([[maybe_unused]] const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (descriptor >= 0) ::close(descriptor);
+    return descriptor >= 0 && std::filesystem::exists("/proc/self/fd");
+#else
+    return false;
+#endif
+}
 
 inline std::string content(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);

@@ -27,6 +27,15 @@ mode_t mode(const fs::path& path) {
     return found.st_mode & 07777;
 }
 
+/// Whether write_whole, as it was compiled, can make files without a name in that folder.
+bool nameless_files([[maybe_unused]] const fs::path& folder) {
+#ifdef GLASSBOX_NAMED_TEMPORARIES
+    return false;
+#else
+    return can_make_nameless_files(folder);
+#endif
+}
+
 }  // namespace
 
 TEST_CASE("a file holds the bytes, and is alone in its folder") {
@@ -50,6 +59,18 @@ TEST_CASE("pieces arrive in order, whatever their sizes") {
         }
     });
     CHECK(content(folder / "pieces") == expected);
+}
+
+TEST_CASE("nobody sees a file that is half written") {
+    const Folder folder;
+    std::ptrdiff_t seen = -1;
+    write_whole(folder / "file", [&](const Sink& sink) {
+        sink(bytes(std::string(2 << 20, 'x')));
+        seen = folder.entries();
+    });
+    // None where files without a name can be made: then not even SIGKILL leaves any. Else a hidden one.
+    CHECK(seen == (nameless_files(folder.path) ? 0 : 1));
+    CHECK(fs::file_size(folder / "file") == 2 << 20);
 }
 
 TEST_CASE("a new file has the mode that the umask leaves, an old one keeps its own") {
@@ -154,7 +175,9 @@ TEST_CASE("a write that fails half way leaves the old file and no temporary") {
     ::setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
 
-    CHECK(message == (folder / "file").string() + ": error: cannot write: File too large; name another file");
+    CHECK(message == (folder / "file").string() +
+                         ": error: cannot write: File too large; raise the limit on the size of files (ulimit -f), or "
+                         "name a file on another disk");
     CHECK(content(folder / "file") == "old");
     CHECK(folder.entries() == 1);
 }
