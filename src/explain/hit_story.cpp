@@ -11,6 +11,7 @@
 #include "explain/scalar_of_steps.hpp"
 #include "explain/told_steps.hpp"
 #include "render/exact_crossing.hpp"
+#include "render/lighting.hpp"
 #include "render/search.hpp"
 #include "render/tracer.hpp"
 
@@ -96,13 +97,14 @@ struct RecordedShade {
 template <class Real>
 RecordedShade<Real> record_shade(Tape& tape, Heard<Real>& heard, const Scene& scene, const Ray<Recorded<Real>>& ray,
                                  const Vec3<Recorded<Real>>& n, Rgb own_color) {
-    const Light<Recorded<Real>> light = directional_light(glassbox::input<Real>(tape, scene.light_position, "L"),
-                                                          Recorded<Real>::input(tape, scene.light_intensity, "I"));
+    const Lighting lit = lighting<Real>(scene);
+    const Light<Recorded<Real>> light =
+        directional_light(glassbox::input<Real>(tape, lit.L, "L"), Recorded<Real>::input(tape, lit.I, "I"));
     name(light.l, "l");
     const Vec3<Recorded<Real>> r = unit(-ray.D);
     name(r, "r");
     const Vec3<Recorded<Real>> own = glassbox::input<Real>(tape, to_vec3<double>(own_color), "color");
-    const Shading<Recorded<Real>> shading = input<Real>(tape, scene.shading);
+    const Shading<Recorded<Real>> shading = input<Real>(tape, lit.shading);
     const Terms<Recorded<Real>> terms = shade(n, r, own, light, shading, heard);
     name(terms.ambient, "ambient");
     name(terms.diffuse, "diffuse");

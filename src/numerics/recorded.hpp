@@ -81,6 +81,9 @@ public:
         return b.result(a, Operation::power, std::pow(a.value_, b.value()));
     }
 
+    /// Not a step: a formula asks it only about numbers too large to go on with.
+    friend bool isfinite(const Recorded& a) { return std::isfinite(a.value_); }
+
     friend RecordedTruth operator<(const Recorded& a, const Last& b) {
         return b.compared(a, Operation::less, a.value_ < b.value());
     }

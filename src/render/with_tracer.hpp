@@ -6,6 +6,7 @@
 #include "render/certified_search.hpp"
 #include "render/fast_search.hpp"
 #include "render/job.hpp"
+#include "render/lighting.hpp"
 #include "render/options.hpp"
 #include "render/ready.hpp"
 #include "render/search.hpp"
@@ -48,10 +49,10 @@ template <class Probe, class Use>
 auto with_tracer(const Scene& scene, const Options& options, const Reach& reach, const Job& job, const Use& use) {
     return with_search<Probe>(scene, options, reach, job, [&]<class Search>(Search&& search) {
         using Real = typename Search::Number;
-        const Light<Real> light =
-            directional_light(convert<Real>(scene.light_position), static_cast<Real>(scene.light_intensity));
-        return use(Tracer<Search>{std::move(search), surface_colors(scene), scene.background, light,
-                                  convert<Real>(scene.shading), options.stage});
+        const auto [L, I, shading] = lighting<Real>(scene);
+        return use(Tracer<Search>{std::move(search), surface_colors(scene), scene.background,
+                                  directional_light(convert<Real>(L), static_cast<Real>(I)), convert<Real>(shading),
+                                  options.stage});
     });
 }
 

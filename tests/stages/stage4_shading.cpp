@@ -318,6 +318,15 @@ TEST_CASE_TEMPLATE("a number becomes a byte: cut to 0 … 255, and NaN to 0", Re
     CHECK((truncated(Vec3<Real>{nan, 300, Real(1.5)}) == Rgb{0, 255, 1}));
 }
 
+TEST_CASE_TEMPLATE("light has the colour's channels, and none where the colour has none, however bright", Real,
+                   EVERY_SCALAR) {
+    const Real infinity = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();
+    CHECK_EXACT(tinted(Real(0.5), Vec3<Real>{10, 0, 200}), (Vec3<Real>{5, 0, 100}));
+    CHECK_EXACT(tinted(infinity, Vec3<Real>{10, 0, 200}), (Vec3<Real>{infinity, 0, infinity}));
+    CHECK_EXACT(tinted(Real(0), Vec3<Real>{10, 0, 200}), Vec3<Real>{});
+    CHECK_EXACT(tinted(nan, Vec3<Real>{10, 0, 200}), Vec3<Real>{});
+}
+
 TEST_CASE("bytes add up to 255 and no further") {
     CHECK((Rgb{1, 2, 3} + Rgb{4, 5, 6} == Rgb{5, 7, 9}));
     CHECK((Rgb{200, 255, 254} + Rgb{100, 255, 1} == Rgb{255, 255, 255}));

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 
 #include <vec3.hpp>
@@ -44,6 +45,16 @@ constexpr Rgb operator+(const Rgb& a, const Rgb& b) {
 template <class Real>
 constexpr Vec3<Real> to_vec3(const Rgb& color) {
     return {static_cast<Real>(color.red), static_cast<Real>(color.green), static_cast<Real>(color.blue)};
+}
+
+/// Light of that strength and colour. Infinite times 0 is 0 here: a strength that is too large for a number lights no
+/// channel that is 0, and one that is itself not a number, because it came about so, lights none.
+template <class Real>
+Vec3<Real> tinted(const std::type_identity_t<Real>& strength, const Vec3<Real>& color) {
+    using std::isfinite;
+    if (isfinite(strength)) return strength * color;
+    const auto channel = [&](const Real& c) { return c > Real(0) && strength > Real(0) ? strength : Real(0); };
+    return {channel(color.x), channel(color.y), channel(color.z)};
 }
 
 }  // namespace glassbox

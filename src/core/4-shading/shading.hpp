@@ -97,7 +97,8 @@ Terms<Real> shade(const Vec3<Real>& surface_normal, const Vec3<Real>& r, const V
     probe(told::Ambient{}, shading.k_a);
     probe(told::DiffuseTerm{}, diffuse);
     probe(told::SpecularTerm{}, specular);
-    return {shading.k_a * shading.ambient_color, diffuse * color, specular * shading.specular_color};
+    return {tinted(shading.k_a, shading.ambient_color), tinted(diffuse, color),
+            tinted(specular, shading.specular_color)};
 }
 
 /// The pixel that the terms add up to. levental_2014 cuts each term to a whole byte before it adds them.
