@@ -115,10 +115,10 @@ std::vector<std::string> wrapped(std::string_view text, int size, int width) {
         }
         end_line();
         for (; !fits(word) && !word.empty(); end_line()) do {  // at least one character a line, however narrow it is
-                const std::size_t length = length_of_first(word);
+                const std::size_t length = first_character(word).size;
                 line += word.substr(0, length);
                 word.remove_prefix(length);
-            } while (!word.empty() && fits(line + std::string(word.substr(0, length_of_first(word)))));
+            } while (!word.empty() && fits(line + std::string(word.substr(0, first_character(word).size))));
         line = word;
     }
     end_line();
