@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <cfenv>
-#include <cfloat>
-#include <cmath>
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <thread>
@@ -10,6 +8,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/scene_path.hpp"
+#include "engine/vector_check.hpp"
+#include "render/assumptions.hpp"
 #include "scene/printable.hpp"
 
 namespace glassbox {
@@ -22,24 +22,14 @@ struct Finding {
     std::string remedy;
 };
 
-/// a·b − c·d as the machine really computes it; volatile keeps the compiler from doing so beforehand.
-double difference_of_products(double a, double b, double c, double d) {
-    volatile double x = a, y = b, z = c, w = d;
-    return x * y - z * w;
-}
-
 std::vector<Finding> arithmetic() {
-    const double tenth = 0.1, third = 1.0 / 3;
-    const bool uncontracted = difference_of_products(tenth, third, tenth, third) == 0;
-    volatile double smallest = DBL_MIN;
-    const bool gradual = smallest / 2 > 0;
-    const std::string rebuild = "rebuild with the project's own CMakeLists.txt, without extra compiler flags";
-    return {
-        {uncontracted, "a·b − c·d is rounded as written, not contracted", rebuild + " (it sets -ffp-contract=off)"},
-        {FLT_EVAL_METHOD == 0, "each operation is rounded to its own type", "build for a machine with SSE2"},
-        {std::fegetround() == FE_TONEAREST, "rounding is to nearest", "run it without changing the rounding mode"},
-        {gradual, "numbers below 2^-1022 are kept", rebuild + " (-ffast-math switches them off)"},
-    };
+    std::vector<Finding> findings;
+    for (const auto& [what, not_in, remedy] : try_assumptions_in_threads())
+        findings.push_back({not_in.empty(), what, fmt::format("not in {}; {}", not_in, remedy)});
+    for (const auto& [name, is_right] : engine::try_vectors())
+        findings.push_back({is_right, fmt::format("{} vectors compute the same bits as one number at a time", name),
+                            "they do not; use --engine plain, and report it"});
+    return findings;
 }
 
 std::vector<Finding> surroundings() {
@@ -47,7 +37,7 @@ std::vector<Finding> surroundings() {
     const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     return {
         {!scenes.empty(), scenes.empty() ? "its own scenes" : "its own scenes are in " + printable(scenes.string()),
-         "install it with cmake --install, or keep the source folder where it was built"},
+         "not found; install it with cmake --install, or keep the source folder where it was built"},
         {true, fmt::format("{} threads", std::max(1u, std::thread::hardware_concurrency())), ""},
         {true, display ? "there is a display" : "there is no display; render, measure and shoot need none", ""},
     };
@@ -64,7 +54,7 @@ int examine() {
     const auto report = [&](const std::string& title, const std::vector<Finding>& findings) {
         fmt::print("\n{}\n", title);
         for (const auto& [good, what, remedy] : findings) {
-            fmt::print("  {:<5} {}{}\n", good ? "ok" : "BAD", what, good ? "" : ": it is not so; " + remedy);
+            fmt::print("  {:<5} {}{}\n", good ? "ok" : "BAD", what, good ? "" : ": " + remedy);
             bad += good ? 0 : 1;
         }
     };

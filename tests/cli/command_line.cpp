@@ -1,6 +1,8 @@
 // Command lines: what is wrong with a bad one is said in a line, with exit status 2, and nothing is written.
 #include <doctest.h>
 
+#include <cstdlib>
+
 #include "cli/program.hpp"
 #include "cli/tiny_scene.hpp"
 
@@ -161,3 +163,18 @@ TEST_CASE("doctor finds this build good") {
     CHECK(ran.out.find("All is well.") != std::string::npos);
     CHECK(ran.out.find("BAD") == std::string::npos);
 }
+
+#if defined FLUSHES_SUBNORMALS && !defined __SANITIZE_ADDRESS__
+TEST_CASE("doctor notices a library that flushes subnormal numbers, and says which bounds do not hold") {
+    const Folder folder;
+    ::setenv("LD_PRELOAD", FLUSHES_SUBNORMALS, 1);
+    const Ran ran = run_glassbox({"doctor"}, {.folder = folder.path});
+    ::unsetenv("LD_PRELOAD");
+    CHECK(ran.status == 1);
+    CHECK(ran.out.find("BAD   results below the normal numbers are kept, not flushed to 0: not in float, double;") !=
+          std::string::npos);
+    CHECK(ran.out.find("BAD   numbers below the normal ones are taken as they are, not as 0: not in float, double;") !=
+          std::string::npos);
+    CHECK(ran.out.find("3 not as it should be: see BAD above.") != std::string::npos);  // and floats made of doubles
+}
+#endif
