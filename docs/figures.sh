@@ -17,7 +17,7 @@ program=${GLASSBOX:-./glassbox}
 for folder in docs/figures lessons/*/figures; do mkdir -p "$out/$folder"; done
 
 hidden='
-./glassbox render levental-2014 -o docs/figures/levental-2014.png
+./glassbox render levental-2014 --sphere levental-2014 -o docs/figures/levental-2014.png
 ./glassbox measure levental-2014 --what n.l -o docs/figures/levental-2014-n.l.png
 ./glassbox render room -o docs/figures/room.png
 ./glassbox measure room --what depth -o docs/figures/room-depth.png

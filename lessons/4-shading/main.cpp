@@ -1,5 +1,6 @@
 // Lesson 4: light. Each hit gets its normal, and the three terms of the paper's model: its final picture.
 #include <array>
+#include <levental_2014.hpp>
 #include <picture.hpp>
 #include <probe.hpp>
 #include <shading.hpp>
@@ -30,7 +31,7 @@ int main(int argc, char** argv) {
             const Ray<double> ray = pixel_ray(view, j, i);
             std::optional<Hit<double>> hit;
             for (std::size_t k = 0; k < spheres.size(); ++k)
-                hit = nearest(hit, k, intersect(ray, spheres[k], Textbook{}, probe));
+                hit = nearest(hit, k, intersect(ray, spheres[k], Levental2014{}, probe));
             for (std::size_t k = 0; k < triangles.size(); ++k)
                 hit = nearest(hit, spheres.size() + k, intersect(ray, triangles[k], Pluecker{}, probe));
             if (!hit) continue;

@@ -2,9 +2,10 @@
 // is here to be measured, so it keeps what makes that program slow: vectors on the heap, handed over by value; a
 // virtual call for each surface and ray; a map of all hits to find one; every pixel against every surface; one thread.
 //
-// It keeps that program's formulas too, in their order: Plücker coordinates in the world's frame, the tolerance of 10,
-// three terms cut to whole bytes. One fault of it is mended, or no picture could be compared: each side product weights
-// the vertex opposite to its edge.
+// It keeps that program's formulas too, in their order, and with their faults: a sphere is hit where the discriminant
+// is above 0, so not where a ray only touches it, and only at the nearer root; Plücker coordinates in the world's
+// frame, the tolerance of 10; three terms cut to whole bytes. One fault is mended, or no picture could be compared:
+// each side product weights the vertex opposite to its edge.
 #include "baseline.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ public:
     explicit surface(rgb its_color) : color(its_color) {}
     virtual ~surface() = default;
 
-    /// The distance from the viewing plane, or -1.
+    /// The distance from the viewing plane; what is not above 0, such as -1, is none.
     virtual double intersection_test(vector origin, vector direction) const = 0;
     virtual vector unit_normal(vector point) const = 0;
 
@@ -62,7 +63,7 @@ public:
         const vector v = difference(origin, center);
         const double v_d = inner_product(v, direction);
         const double discriminant = v_d * v_d - (inner_product(v, v) - radius * radius);
-        if (discriminant < 0) return none;
+        if (!(discriminant > 0)) return none;
         return std::min(-v_d - std::sqrt(discriminant), -v_d + std::sqrt(discriminant));
     }
 
@@ -149,7 +150,7 @@ rgb trace(const surfaces& scene, vector origin, vector direction, factors k) {
     std::map<double, const surface*> hits;
     for (const auto& each : scene) {
         const double distance = each->intersection_test(origin, direction);
-        if (distance != none) hits[distance] = each.get();
+        if (distance > 0) hits[distance] = each.get();
     }
     if (hits.empty()) return {0, 0, 0};
     const auto [distance, nearest] = *hits.begin();

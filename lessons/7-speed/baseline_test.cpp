@@ -34,9 +34,10 @@ TEST_CASE("diffuse light: the surface's colour times n.l, cut to whole bytes") {
     // In the middle of a sphere n = (1,0,0), and n.l = 1000 / |(1000,250,250)| = 0.94281: 0.94281 * 255 = 240.4.
     CHECK(pixel(picture, 350, 350) == Color{0, 240, 0});
     CHECK(pixel(picture, 300, 300) == Color{240, 0, 0});
-    // On top of the green one n = (0,0,1), and n.l = 0.2357: 60.1. The ray is tangent there; one higher it misses.
-    CHECK(pixel(picture, 350, 400) == Color{0, 60, 0});
-    CHECK(pixel(picture, 350, 401) == black);
+    // One below the green one's top n = (sqrt 99, 0, 49) / 50, as 99 + 49^2 = 50^2, and n.l = (4 sqrt 99 + 49) /
+    // (50 sqrt 18) = 0.41860: 106.7. The ray of the top only touches the sphere, and misses it.
+    CHECK(pixel(picture, 350, 399) == Color{0, 106, 0});
+    CHECK(pixel(picture, 350, 400) == black);
     // PSR has n = (1,-2,1)/sqrt(6), n.l = 0.28868, times 128 = 36.95; QRS has (1,2,1)/sqrt(6), 0.67358, 86.2.
     CHECK(pixel(picture, 365, 110) == Color{36, 36, 36});
     CHECK(pixel(picture, 385, 110) == Color{86, 86, 86});

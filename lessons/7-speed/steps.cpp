@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <crossing.hpp>
+#include <levental_2014.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -80,7 +81,7 @@ public:
         const Vector v = origin - center_;
         const double v_d = dot(v, direction);
         const double discriminant = v_d * v_d - (dot(v, v) - radius_ * radius_);
-        if (discriminant < 0) return -1;
+        if (!(discriminant > 0)) return -1;
         return -v_d - std::sqrt(discriminant);
     }
     Vector unit_normal(Vector point) const override { return unit(point - center_); }
@@ -144,7 +145,7 @@ std::vector<unsigned char> with_values(int width, int height) {
         std::map<double, const Surface*> hits;
         for (const auto& one : scene) {
             const double distance = one->intersection_test(ray.P, ray.D);
-            if (distance != -1) hits[distance] = one.get();
+            if (distance > 0) hits[distance] = one.get();
         }
         if (hits.empty()) return black;
         const auto [distance, nearest] = *hits.begin();
@@ -159,7 +160,7 @@ struct Nearest {
     const Surface* surface = nullptr;
 
     void take(double other, const Surface& its) {
-        if (other == -1 || (surface && other > distance)) return;
+        if (!(other > 0) || (surface && other > distance)) return;
         distance = other;
         surface = &its;
     }
@@ -198,7 +199,7 @@ struct Scene6 {
 
     Crossing<double> test_sphere(const Ray<double>& ray, std::size_t k) const {
         Silent silent;
-        return intersect(ray, spheres[k], Textbook{}, silent);
+        return intersect(ray, spheres[k], Levental2014{}, silent);  // the paper's faults, too: it is the same picture
     }
     Crossing<double> test_triangle(const Ray<double>& ray, std::size_t k) const {
         Silent silent;

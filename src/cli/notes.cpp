@@ -42,7 +42,7 @@ std::vector<std::string> unused_options(const CLI::App& command, Rays rays, cons
         else if (options.stage < first_stage) unused.push_back(fmt::format("{} (from stage {})", option, first_stage));
     }
     if (options.engine == Engine::fast && !engine_can(options))
-        unused.push_back("--engine fast (only for certified answers, not by the tolerance rule)");
+        unused.push_back("--engine fast (only for certified answers, not by the rules tolerance and levental-2014)");
     return unused;
 }
 

@@ -48,6 +48,11 @@ std::string why(const Surface& surface, const Story& story) {
             return fmt::format("met, but farther than surface {}: {}", hit, t());
         case Fate::apart:
             return "missed: Δ < 0, the line passes the sphere";
+        case Fate::touched:
+            return "missed: Δ = 0, the line only touches the sphere, and levental-2014 wants two roots";
+        case Fate::from_inside:
+            return fmt::format("missed: the nearer root lies behind, {} is not > 0, and levental-2014 knows no other",
+                               t());
         case Fate::outside:
             return "missed: side products of both signs, the line passes outside";
         case Fate::edge_on:

@@ -31,6 +31,8 @@ enum class Fate {
     as_near,           ///< met, exactly as near as the nearest, which is listed later
     farther,           ///< met, behind the nearest
     apart,             ///< a sphere that the line does not touch: Δ < 0
+    touched,           ///< a sphere that the line only touches, Δ = 0, by the rule of the paper's program
+    from_inside,       ///< a sphere whose nearer root lies behind, by the same rule, which knows no other
     outside,           ///< a triangle that the line passes: side products of both signs
     edge_on,           ///< a triangle seen exactly edge-on, or without area: all side products are 0
     behind,            ///< the line meets it, at t ≤ 0

@@ -131,10 +131,15 @@ bool is_lost(const Number& number, const Options& options) {
 
 /// Why a sphere was missed.
 Fate why_missed(const SphereTest& test, const Options& options) {
-    const RootPair& roots = std::holds_alternative<Textbook>(options.sphere_rule) ? test.textbook : test.stable;
+    const RootPair& roots = std::holds_alternative<Stable>(options.sphere_rule) ? test.stable : test.textbook;
+    const bool history = std::holds_alternative<Levental2014>(options.sphere_rule);
     if (is_lost(roots.discriminant, options)) return Fate::overflow;
-    if (deciding_sign(roots.discriminant, options) < 0) return Fate::apart;
-    return roots.t1 && deciding_sign(*roots.t1, options) <= 0 ? Fate::behind : Fate::refused;
+    const int sign = deciding_sign(roots.discriminant, options);
+    if (sign < 0) return Fate::apart;
+    if (sign == 0 && history) return Fate::touched;
+    if (!roots.t1) return Fate::refused;
+    if (deciding_sign(*roots.t1, options) <= 0) return Fate::behind;
+    return history && deciding_sign(*roots.t0, options) <= 0 ? Fate::from_inside : Fate::refused;
 }
 
 /// Why a triangle was missed; `t` is where the line meets its plane, if that was asked.
@@ -172,7 +177,7 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     const Hit<long double>* const hit = met(verdict, number);
     if (!hit) {
         result.fate = why_missed(test, result.t, options);
-        if (result.fate != Fate::behind) result.t.reset();
+        if (result.fate != Fate::behind && result.fate != Fate::from_inside) result.t.reset();
         return result;
     }
     result.fate = verdict.nearest && verdict.nearest->surface == number ? Fate::nearest : Fate::farther;

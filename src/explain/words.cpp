@@ -77,6 +77,10 @@ std::string_view word(story::Fate fate) {
             return "farther";
         case Fate::apart:
             return "apart";
+        case Fate::touched:
+            return "touched";
+        case Fate::from_inside:
+            return "from inside";
         case Fate::outside:
             return "outside";
         case Fate::edge_on:

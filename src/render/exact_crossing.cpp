@@ -24,6 +24,10 @@ std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>
     return crossing(ray, sphere, roots);
 }
 
+std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Levental2014& roots) {
+    return crossing(ray, sphere, roots);
+}
+
 std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const Pluecker& test) {
     return crossing(ray, triangle, test);
 }

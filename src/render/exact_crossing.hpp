@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include <levental_2014.hpp>
 #include <ray.hpp>
 #include <sphere.hpp>
 #include <triangle.hpp>
@@ -13,6 +14,7 @@ namespace glassbox {
 // once, for what it takes the compiler.
 std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Textbook& roots);
 std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Stable& roots);
+std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Levental2014& roots);
 std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const Pluecker& test);
 std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const Tolerance& test);
 std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle,

@@ -2,7 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace glassbox {
+
+namespace {
+
+template <class Rule>
+using StructNames = std::array<std::string_view, std::variant_size_v<Rule>>;
+
+// In the order of the variants.
+constexpr StructNames<SphereRule> sphere_structs{"Stable", "Textbook", "Levental2014"};
+constexpr StructNames<TriangleRule> triangle_structs{"Pluecker", "Tolerance", "MoellerTrumbore"};
+
+}  // namespace
 
 std::string_view name_of(Scalar scalar) {
     return name_where(scalars, [&](Scalar one) { return one == scalar; });
@@ -19,6 +32,10 @@ std::string_view name_of(const SphereRule& rule) {
 std::string_view name_of(const TriangleRule& rule) {
     return name_where(triangle_rules, [&](const TriangleRule& one) { return one.index() == rule.index(); });
 }
+
+std::string_view struct_of(const SphereRule& rule) { return sphere_structs[rule.index()]; }
+
+std::string_view struct_of(const TriangleRule& rule) { return triangle_structs[rule.index()]; }
 
 std::string written(const TriangleRule& rule) {
     const auto* tolerance = std::get_if<Tolerance>(&rule);

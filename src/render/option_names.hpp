@@ -25,9 +25,10 @@ inline constexpr NameTable<Engine, 3> engines{{
     {"fast", Engine::fast, "those whose boxes the ray meets"},
 }};
 
-inline constexpr NameTable<SphereRule, 2> sphere_rules{{
+inline constexpr NameTable<SphereRule, 3> sphere_rules{{
     {"stable", Stable{}, "Haines et al. 2019: compares lengths at the sphere"},
     {"textbook", Textbook{}, "the school's formula: loses small, far spheres"},
+    {"levental-2014", Levental2014{}, "the paper's program: a touch misses, only the nearer root"},
 }};
 
 inline constexpr NameTable<TriangleRule, 3> triangle_rules{{
@@ -41,6 +42,10 @@ std::string_view name_of(Engine engine);
 std::string_view name_of(const SphereRule& rule);
 /// Without the number of a tolerance.
 std::string_view name_of(const TriangleRule& rule);
+
+/// What the rule's struct in the core is called: "Stable".
+std::string_view struct_of(const SphereRule& rule);
+std::string_view struct_of(const TriangleRule& rule);
 
 /// The rule as the command line takes it: with the number of a tolerance, "tolerance:10".
 std::string written(const TriangleRule& rule);

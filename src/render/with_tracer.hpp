@@ -34,7 +34,7 @@ auto with_search(const Scene& scene, const Options& options, const Reach& reach,
                 case Scalar::exact:
                     break;
             }
-            if constexpr (!std::is_same_v<Test, Tolerance>)
+            if constexpr (is_geometry<Roots> && is_geometry<Test>)
                 if (uses_engine(scene, options, OnlyNearest<Probe> && OnlyVerdicts<Probe>))
                     return use(FastSearch<Roots, Test>(
                         job.engine ? job.engine : ready(scene, options.stage, job.threads), roots, test));

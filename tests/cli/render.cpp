@@ -157,4 +157,10 @@ TEST_CASE("an option that the stage leaves unused is noted in one line, and all 
           "glassbox render: note: not used: --sphere (from stage 2)\n");
     CHECK(noted({"--stage", "2", "--sphere", "textbook", "--threads", "1", "--size", "2x2"}) == "");
     CHECK(noted({"--turn", "z:10", "--ambient", "1", "--triangle", "tolerance:0.5"}) == "");
+    for (const Arguments& rule : {Arguments{"--sphere", "levental-2014"}, Arguments{"--triangle", "tolerance"}}) {
+        CHECK(noted(rule) == "");
+        CHECK(noted({rule[0], rule[1], "--engine", "fast"}) ==
+              "glassbox render: note: not used: --engine fast (only for certified answers, not by the rules tolerance "
+              "and levental-2014)\n");
+    }
 }

@@ -82,7 +82,8 @@ TEST_CASE("every pixel of a smaller picture of the paper's scene, turned, by all
     const Scene scene = resized(read_scene(SCENES "/levental-2014.toml"), 80, 80);
     for (const Named<Scalar>& scalar : scalars)
         for (const TriangleRule& triangle_rule : {TriangleRule(Pluecker{}), TriangleRule(Tolerance{})})
-            for (const SphereRule& sphere_rule : {SphereRule(Stable{}), SphereRule(Textbook{})}) {
+            for (const SphereRule& sphere_rule :
+                 {SphereRule(Stable{}), SphereRule(Textbook{}), SphereRule(Levental2014{})}) {
                 CAPTURE(scalar.name);
                 CAPTURE(triangle_rule.index());
                 CAPTURE(sphere_rule.index());

@@ -137,6 +137,29 @@ TEST_CASE("a tangent ray: the discriminant is exactly 0, and it is met") {
     CHECK(story.hit->t.value == 400);
 }
 
+// By the rule of the paper's program that ray misses, and so does one that starts inside: from x = 100, the middle, the
+// green sphere's nearer root is −50. From x = 0 it lies behind altogether.
+TEST_CASE("a sphere that the paper's program misses, and why") {
+    Options published;
+    published.sphere_rule = Levental2014{};
+    for (const Scalar scalar : {Scalar::certified, Scalar::double_}) {
+        published.scalar = scalar;
+        CHECK(tell(350, 350, published).surfaces[0].fate == Fate::nearest);
+        const Story touched = tell(400, 350, published);
+        CHECK(touched.surfaces[0].fate == Fate::touched);
+        CHECK_FALSE(touched.surfaces[0].t);
+        CHECK_FALSE(touched.hit);
+        CHECK(tell(401, 350, published).surfaces[0].fate == Fate::apart);
+        Scene scene = read_scene(SCENES "/levental-2014.toml");
+        std::get<ParallelView>(scene.view).corner.x = 100;
+        const Story inside = explain(scene, published, 350, 149);
+        CHECK(inside.surfaces[0].fate == Fate::from_inside);
+        CHECK(inside.surfaces[0].t->value == -50);
+        std::get<ParallelView>(scene.view).corner.x = 0;
+        CHECK(explain(scene, published, 350, 149).surfaces[0].fate == Fate::behind);
+    }
+}
+
 TEST_CASE("the border, and what is under it") {
     const Story story = tell(0, 250);
     CHECK(story.border);

@@ -99,6 +99,7 @@ TEST_CASE("the solutions draw what we draw, to the last pixel, at every stage") 
     news = learner.draw(turns, scene, options);
     CHECK(news.compile_seconds > 0);
     CHECK(news.drawing->image.pixels == render(scene, options).pixels);
+    options.sphere_rule = Levental2014{};
     options.triangle_rule = MoellerTrumbore{};
     news = learner.draw(turns, room, options);
     CHECK(news.stand == Stand::drawn);

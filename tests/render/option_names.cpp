@@ -44,6 +44,15 @@ TEST_CASE("every rule that a search can be made of has a name") {
     CHECK(triangle_rules.size() == std::variant_size_v<TriangleRule>);
 }
 
+TEST_CASE("what a rule's struct is called") {
+    CHECK(struct_of(SphereRule(Stable{})) == "Stable");
+    CHECK(struct_of(SphereRule(Textbook{})) == "Textbook");
+    CHECK(struct_of(SphereRule(Levental2014{})) == "Levental2014");
+    CHECK(struct_of(TriangleRule(Pluecker{})) == "Pluecker");
+    CHECK(struct_of(TriangleRule(Tolerance{})) == "Tolerance");
+    CHECK(struct_of(TriangleRule(MoellerTrumbore{})) == "MoellerTrumbore");
+}
+
 TEST_CASE("a tolerance is written with its number") {
     CHECK(written(Tolerance{}) == "tolerance:10");
     CHECK(written(Tolerance{0.5}) == "tolerance:0.5");

@@ -1,6 +1,10 @@
-// Stage 2: where a ray meets a sphere, by two rules for the same two roots, and which of several hits comes first.
+// Stage 2: where a ray meets a sphere, by two rules for the same two roots, and by what the paper's program had for
+// one; and which of several hits comes first.
+#include <cmath>
+#include <levental_2014.hpp>
 #include <probe.hpp>
 #include <sphere.hpp>
+#include <vector>
 
 #include "checks.hpp"
 #include "unsure.hpp"
@@ -398,6 +402,99 @@ TEST_CASE_TEMPLATE("intersect: the probe is told the roots, once a sphere", Real
     intersect(Ray<Real>{{2, 0, 0}, {1, 0, 0}}, five<Real>, Given<Real>{{false, 0, 0}}, miss);
     CHECK(miss.tested == 1);
     CHECK(miss.roots == 0);  // there are none
+}
+
+TEST_CASE_TEMPLATE("intersect: by the rule of the paper's program a touch is a miss", Real, EVERY_SCALAR) {
+    const Levental2014 rule;
+    for (const Real size : sizes<Real>) {
+        CAPTURE(size);
+        const Sphere<Real> sphere{{0, 0, 0}, 5 * size};
+        const auto beside = [&](Real y, Real z) {
+            return shoot<Real>({{-10 * size, y * size, z * size}, {1, 0, 0}}, sphere, rule);
+        };
+        CHECK_FALSE(beside(5, 0).met);  // 5 beside the middle of radius 5; and again, as 3^2 + 4^2 = 5^2
+        CHECK_FALSE(beside(3, 4).met);
+        CHECK_FALSE(beside(6, 0).met);
+        CHECK(beside(Real(4.75), 0).met);
+        CHECK(beside(3, 0).met);  // half the chord is 4: in at x = -4
+        CHECK_EXACT(beside(3, 0).t, 6 * size);
+    }
+}
+
+TEST_CASE_TEMPLATE("intersect: by the rule of the paper's program a sphere vanishes from inside", Real, EVERY_SCALAR) {
+    const Levental2014 rule;
+    CHECK_FALSE(shoot<Real>({{0, 0, 0}, {1, 0, 0}}, five<Real>, rule).met);
+    CHECK_FALSE(shoot<Real>({{2, 0, 0}, {-1, 0, 0}}, five<Real>, rule).met);
+    CHECK_FALSE(shoot<Real>({{-5, 0, 0}, {1, 0, 0}}, five<Real>, rule).met);  // on the sphere, and in: t = 0 and 10
+    CHECK_FALSE(shoot<Real>({{10, 3, 0}, {1, 0, 0}}, five<Real>, rule).met);  // and what lies behind is not met
+    const Roots<Real> inside = roots_of<Real>({{2, 0, 0}, {1, 0, 0}}, five<Real>, rule);
+    CHECK(inside.real);
+    CHECK_EXACT(inside.t0, Real(-7));  // at x = -5; it knows no other
+    CHECK_EXACT(inside.t1, Real(-7));
+}
+
+TEST_CASE_TEMPLATE("intersect: the rule of the paper's program in whole numbers, at every scale", Real, EVERY_SCALAR) {
+    // With a = D.D, b = v.D and c = v.v - r^2 it meets the sphere iff b^2 - ac > 0 and its nearer root is above 0:
+    // -b > sqrt(b^2 - ac) iff b < 0 and ac > 0. In whole numbers these three are exact: |b| <= 3 * 6 = 18 and
+    // |ac| <= 3 * 3 * 6^2 = 324.
+    std::vector<Real> scales(sizes<Real>.begin(), sizes<Real>.end());
+    if (std::numeric_limits<Real>::max_exponent > 1000)  // 1e-100 and 1e100
+        for (const int power : {-332, 332}) scales.push_back(std::ldexp(Real(1), power));
+    Dice dice;
+    int touched = 0, met = 0, inside = 0;
+    for (int n = 0; n < 600; ++n) {
+        const Vec3<Real> P = dice.whole_vector<Real>(3), D = dice.whole_vector<Real>(1), C = dice.whole_vector<Real>(3);
+        const auto r = static_cast<Real>(dice.whole(1, 3));
+        const auto product = [](const Vec3<Real>& p, const Vec3<Real>& q) {
+            return static_cast<int>(p.x * q.x + p.y * q.y + p.z * q.z);
+        };
+        const Vec3<Real> v{P.x - C.x, P.y - C.y, P.z - C.z};
+        const int a = product(D, D), b = product(v, D), c = product(v, v) - static_cast<int>(r * r);
+        if (a == 0) continue;
+        const bool expected = b * b - a * c > 0 && b < 0 && c > 0;
+        met += expected, touched += b * b == a * c && b < 0, inside += c < 0;
+        for (const Real size : scales) {
+            CAPTURE(size);
+            const Ray<Real> ray{{size * P.x, size * P.y, size * P.z}, D};
+            CHECK(shoot<Real>(ray, {{size * C.x, size * C.y, size * C.z}, size * r}, Levental2014{}).met == expected);
+        }
+    }
+    CHECK(met > 20);
+    CHECK(touched > 5);
+    CHECK(inside > 20);
+}
+
+TEST_CASE_TEMPLATE("intersect: the rule of the paper's program asks for Δ > 0, and not just for Δ >= 0", Real,
+                   EVERY_SCALAR) {
+    // Rays aimed at a sphere's outline, off by some roundings: Δ comes out as 0 now and then, mostly just not.
+    Dice dice;
+    int zero = 0, above = 0;
+    for (const Real size : sizes<Real>)
+        for (int n = 0; n < 300; ++n) {
+            const Vec3<Real> P = dice.vector(20 * size), to_center = dice.vector(10 * size);
+            const Vec3<Real> aside = unit(cross(to_center, dice.vector(Real(1))));
+            const Real r = dice.between(size, 3 * size), off = epsilon<Real> * static_cast<Real>(dice.whole(-4, 4));
+            // A line along to_center, r beside the middle.
+            const Ray<Real> ray{P + r * (1 + off) * aside, to_center};
+            const Sphere<Real> sphere{P + to_center, r};
+            CAPTURE_RAY(ray, sphere);
+            SphereProbe<Real> heard;
+            const Roots<Real> roots = Levental2014{}(ray, sphere, heard);
+            CHECK(heard.discriminants == 1);
+            CHECK(roots.real == (heard.discriminant > 0));
+            zero += heard.discriminant == 0, above += heard.discriminant > 0;
+        }
+    CHECK(zero > 0);
+    CHECK(above > 100);
+}
+
+TEST_CASE("intersect: the rule of the paper's program hands doubt on") {
+    // Δ = 0, known to within 1, so it may be met at t = 10.
+    Silent silent;
+    const Crossing<Unsure> touched =
+        intersect(Ray<Unsure>{{-10, 1, 0}, {1, 0, 0}}, Sphere<Unsure>{{0, 0, 0}, 1}, Levental2014{}, silent);
+    CHECK(possibly(touched.met));
+    CHECK_FALSE(surely(touched.met));
 }
 
 TEST_CASE_TEMPLATE("the normal points outwards and has length 1", Real, EVERY_SCALAR) {

@@ -92,6 +92,7 @@ TEST_CASE("scalars and rules") {
     setup.options.triangle_rule = Tolerance{0.1};
     check_same(setup, {375, 379});
     setup.options.scalar = Scalar::exact;
+    setup.options.sphere_rule = Levental2014{};
     setup.options.triangle_rule = MoellerTrumbore{};
     setup.options.stage = 3;
     check_same(setup, {375, 379});

@@ -130,7 +130,7 @@ TEST_CASE("undo keeps what is pinned") {
     CHECK(state.overlay.measurement == "depth");
 }
 
-TEST_CASE("the paper's figures: its coefficients and model, whatever was changed before") {
+TEST_CASE("the paper's figures: its coefficients, model and sphere rule, whatever was changed before") {
     Setup setup;
     setup.shading.exponent = 3;
     setup.light_intensity = 0.5;
@@ -140,6 +140,7 @@ TEST_CASE("the paper's figures: its coefficients and model, whatever was changed
     const Shading<double> expected{ShadingModel::levental_2014, 0, 1, 0, 15, {255, 102, 102}, {255, 255, 255}};
     CHECK(diffuse.shading == expected);
     CHECK(diffuse.light_intensity == 1);
+    CHECK(diffuse.options.sphere_rule == SphereRule(Levental2014{}));  // its figures need its faults
     CHECK(diffuse.options.stage == 4);
     CHECK(with_figure(diffuse, figures[1]) == diffuse);
     setup.options.stage = 5;

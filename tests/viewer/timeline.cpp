@@ -183,6 +183,10 @@ TEST_CASE("each step has its line of the core's source, an operation, and its fo
             if (row == 350) options.sphere_rule = Textbook{};
             check(tell(row == 350 ? 350 : 370, row, options));
         }
+    Options published;
+    published.sphere_rule = Levental2014{};
+    check(tell(350, 350, published));
+    check(tell(400, 350, published));
     Options stage1;
     stage1.stage = 1;
     check(tell(350, 350, stage1));

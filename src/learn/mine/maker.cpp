@@ -12,6 +12,7 @@
 #include "learn/headers.hpp"
 #include "learn/progress.hpp"
 #include "render/job.hpp"
+#include "render/option_names.hpp"
 #include "scene/text_file.hpp"
 
 namespace glassbox::learn::mine {
@@ -133,12 +134,8 @@ Built build(const Workspace& workspace, const Exercise& exercise, const Compiler
 
 /// What the renderer is to be compiled for.
 std::vector<std::string> rules_of(const Exercise& exercise, const Options& options) {
-    const char* const sphere = std::holds_alternative<Textbook>(options.sphere_rule) ? "Textbook" : "Stable";
-    const char* const triangle = std::holds_alternative<Tolerance>(options.triangle_rule)         ? "Tolerance"
-                                 : std::holds_alternative<MoellerTrumbore>(options.triangle_rule) ? "MoellerTrumbore"
-                                                                                                  : "Pluecker";
-    std::vector<std::string> flags_for{fmt::format("-DGLASSBOX_SPHERE_RULE={}", sphere),
-                                       fmt::format("-DGLASSBOX_TRIANGLE_RULE={}", triangle)};
+    std::vector<std::string> flags_for{fmt::format("-DGLASSBOX_SPHERE_RULE={}", struct_of(options.sphere_rule)),
+                                       fmt::format("-DGLASSBOX_TRIANGLE_RULE={}", struct_of(options.triangle_rule))};
     if (is_about_bounds(exercise)) flags_for.push_back("-DGLASSBOX_BOUNDED");
     return flags_for;
 }

@@ -6,6 +6,7 @@
 // standard's.
 #include "learn/mine/prelude.hpp"  // first, and precompiled
 
+#include <levental_2014.hpp>
 #include <not_written.hpp>
 #include <sphere.hpp>
 #include <triangle.hpp>

@@ -21,6 +21,7 @@ Setup with_figure(Setup setup, const Figure& figure) {
     setup.shading = {
         ShadingModel::levental_2014, figure.k_a, figure.k_d, figure.k_s, 15, {255, 102, 102}, {255, 255, 255}};
     setup.light_intensity = 1;
+    setup.options.sphere_rule = Levental2014{};
     setup.options.stage = std::max(setup.options.stage, 4);
     return setup;
 }

@@ -34,7 +34,7 @@ inline constexpr Figure figures[] = {
 };
 
 /// The same setup, shaded as the paper's program shaded that figure: its model, exponent 15, its colours, intensity 1,
-/// and at least the stage that knows shading.
+/// its sphere rule, and at least the stage that knows shading.
 Setup with_figure(Setup setup, const Figure& figure);
 
 /// The same setup, turned further.

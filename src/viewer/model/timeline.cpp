@@ -12,6 +12,7 @@
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "explain/words.hpp"
+#include "render/option_names.hpp"
 
 namespace glassbox {
 
@@ -137,13 +138,11 @@ private:
     }
 
     Function rule_of(const Surface& surface) const {
-        if (std::holds_alternative<story::SphereTest>(surface.test))
-            return {"/sphere.hpp",
-                    std::holds_alternative<Textbook>(story_.options.sphere_rule) ? "Textbook" : "Stable"};
-        const auto& rule = story_.options.triangle_rule;
-        return {"/triangle.hpp", std::holds_alternative<Tolerance>(rule)         ? "Tolerance"
-                                 : std::holds_alternative<MoellerTrumbore>(rule) ? "MoellerTrumbore"
-                                                                                 : "Pluecker"};
+        const Options& options = story_.options;
+        if (std::holds_alternative<story::TriangleTest>(surface.test))
+            return {"/triangle.hpp", struct_of(options.triangle_rule)};
+        const bool history = std::holds_alternative<Levental2014>(options.sphere_rule);
+        return {history ? "/levental_2014.hpp" : "/sphere.hpp", struct_of(options.sphere_rule)};
     }
 
     void tell_nearest() {

@@ -2,6 +2,7 @@
 // headers and symbols are looked at (CheckCore.cmake).
 #include <crossing.hpp>
 #include <floating_point.hpp>
+#include <levental_2014.hpp>
 #include <light.hpp>
 #include <pluecker.hpp>
 #include <probe.hpp>
@@ -35,11 +36,12 @@ Rgb everything(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c, in
         std::optional<Hit<Real>> hit;
         hit = nearest(hit, 0, intersect(ray, sphere, Textbook{}, probe));
         hit = nearest(hit, 1, intersect(ray, sphere, Stable{}, probe));
-        hit = nearest(hit, 2, intersect(ray, triangle, Pluecker{}, probe));
-        hit = nearest(hit, 3, intersect(ray, triangle, Tolerance{}, probe));
-        hit = nearest(hit, 4, intersect(ray, triangle, MoellerTrumbore{}, probe));
+        hit = nearest(hit, 2, intersect(ray, sphere, Levental2014{}, probe));
+        hit = nearest(hit, 3, intersect(ray, triangle, Pluecker{}, probe));
+        hit = nearest(hit, 4, intersect(ray, triangle, Tolerance{}, probe));
+        hit = nearest(hit, 5, intersect(ray, triangle, MoellerTrumbore{}, probe));
         if (!hit) continue;
-        const Vec3<Real> n = hit->surface < 2 ? normal(sphere, at(ray, hit->t)) : normal(triangle);
+        const Vec3<Real> n = hit->surface < 3 ? normal(sphere, at(ray, hit->t)) : normal(triangle);
         const Light<Real> light = directional_light(c, a.z);
         for (const ShadingModel model : {ShadingModel::phong, ShadingModel::blinn_phong, ShadingModel::levental_2014}) {
             const Shading<Real> shading{model, a.x, a.y, a.z, 15, a, b};

@@ -1,5 +1,6 @@
 // A renderer's inner loop, with the probe that listens to nothing. CompareCode.cmake compiles it twice, with the core
 // as it is and with a core that has no probes, and compares the machine code.
+#include <levental_2014.hpp>
 #include <probe.hpp>
 #include <shading.hpp>
 #include <sphere.hpp>
@@ -27,5 +28,6 @@ Rgb seen(const Ray<double>& ray, const Sphere<double>* spheres, std::size_t n_sp
                       const Vec3<double>*, const Light<double>&, const Shading<double>&, const Roots&, const Rule&);
 INSTANTIATE(Textbook, Tolerance)
 INSTANTIATE(Stable, Pluecker)
+INSTANTIATE(Levental2014, Pluecker)
 
 }  // namespace glassbox

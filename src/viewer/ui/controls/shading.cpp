@@ -17,8 +17,10 @@ void figure_buttons(ViewerState& state) {
         const Setup shown = with_figure(state.setup.now(), figure);
         if (toggle(figure.name, shown == state.setup.now())) state.setup.change(shown);
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("k_a = %g, k_d = %g, k_s = %g, with the paper's model, exponent 15, intensity 1",
-                              figure.k_a, figure.k_d, figure.k_s);
+            ImGui::SetTooltip(
+                "k_a = %g, k_d = %g, k_s = %g, with the paper's model, exponent 15, intensity 1, and\n"
+                "its sphere rule, by which a ray that only touches a sphere misses it",
+                figure.k_a, figure.k_d, figure.k_s);
     }
 }
 
