@@ -49,10 +49,9 @@ std::string why(const Surface& surface, const Story& story) {
         case Fate::apart:
             return "missed: Δ < 0, the line passes the sphere";
         case Fate::touched:
-            return "missed: Δ = 0, the line only touches the sphere, and levental-2014 wants two roots";
+            return "missed: Δ = 0, a touch, no hit by levental-2014";
         case Fate::from_inside:
-            return fmt::format("missed: the nearer root lies behind, {} is not > 0, and levental-2014 knows no other",
-                               t());
+            return fmt::format("missed: by levental-2014 only the nearer root counts, and {} lies behind", t());
         case Fate::outside:
             return "missed: side products of both signs, the line passes outside";
         case Fate::edge_on:

@@ -34,6 +34,15 @@ TEST_CASE("a sphere's pixel") {
                "(51, 20, 20)", "(0, 240, 0)", "the most was lost by"});
 }
 
+TEST_CASE("a sphere that the paper's program misses") {
+    Options options;
+    options.sphere_rule = Levental2014{};
+    check_has(text("levental-2014.toml", 400, 149, options),
+              {"spheres: levental-2014", "missed: Δ = 0, a touch, no hit by levental-2014", "nothing is met"});
+    check_has(text("inside.toml", 20, 20, options),
+              {"missed: by levental-2014 only the nearer root counts, and t = -", " lies behind"});
+}
+
 TEST_CASE("a triangle's pixel, seen through a corner") {
     check_has(text("levental-2014.toml", 350, 399),
               {"met, as near as surface 4, which is listed later and so is seen: t = 300", "met, nearest: t = 300",
@@ -65,16 +74,20 @@ TEST_CASE("many surfaces: the nearest misses, and how many more there are") {
 }
 
 TEST_CASE("no line is wider than 100 columns") {
+    const auto check_narrow = [](const std::string& page) {
+        std::istringstream lines(page);
+        for (std::string line; std::getline(lines, line);) {
+            // Bytes that begin a character.
+            const auto columns = std::count_if(line.begin(), line.end(),
+                                               [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+            CHECK_MESSAGE(columns <= 100, line);
+        }
+    };
     for (const char* scene : {"levental-2014.toml", "room.toml", "fan.toml", "spheres-far.toml"})
         for (const int x : {0, 100, 201, 350})
-            for (const int y : {0, 33, 149, 200}) {
-                std::istringstream lines(text(scene, x, y));
-                for (std::string line; std::getline(lines, line);) {
-                    // Bytes that begin a character.
-                    const auto columns = std::count_if(line.begin(), line.end(), [](char c) {
-                        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-                    });
-                    CHECK_MESSAGE(columns <= 100, line);
-                }
-            }
+            for (const int y : {0, 33, 149, 200}) check_narrow(text(scene, x, y));
+    Options options;
+    options.sphere_rule = Levental2014{};
+    check_narrow(text("levental-2014.toml", 400, 149, options));
+    check_narrow(text("inside.toml", 20, 20, options));
 }
