@@ -63,8 +63,8 @@ TEST_CASE("proven, it is the rule's own verdict, at every scale: whole numbers t
             std::vector<Vec3<double>> centers;
             std::vector<double> radii;
             for (int k = 0; k < 8; ++k) {
-                centers.push_back(dice.vector(9));
-                radii.push_back(dice.whole(1, 6));
+                centers.push_back(dice.vector(4));
+                radii.push_back(dice.whole(1, 4));
                 const Vec3<double> c = centers.back();
                 scene.spheres.push_back({{std::ldexp(c.x, power), std::ldexp(c.y, power), std::ldexp(c.z, power)},
                                          std::ldexp(radii.back(), power),
@@ -73,7 +73,7 @@ TEST_CASE("proven, it is the rule's own verdict, at every scale: whole numbers t
             std::vector<Ray<double>> rays;
             std::vector<std::size_t> expected;
             for (int n = 0; n < 40; ++n) {
-                const Vec3<double> P = dice.vector(9), D = dice.vector(2);
+                const Vec3<double> P = dice.vector(4), D = dice.vector(1);
                 const double a = dot(D, D);
                 if (a == 0) continue;
                 rays.push_back({{std::ldexp(P.x, power), std::ldexp(P.y, power), std::ldexp(P.z, power)}, D});
