@@ -11,7 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "learn/headers.hpp"
 #include "learn/plain_words.hpp"
+#include "learn/unclosed.hpp"
 #include "scene/suggestion.hpp"
 
 namespace glassbox::learn {
@@ -228,9 +230,52 @@ std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
     return words.starts_with("did you mean") ? fmt::format("There is no header {}; {}", name, words) : "";
 }
 
+/// The learner's files that are compiled, in the order in which the compiler comes to them.
+std::vector<fs::path> read_files(const OwnHeaders& mine) {
+    std::vector<fs::path> files;
+    const std::function<void(const fs::path&)> read = [&](const fs::path& path) {
+        const fs::path file = path.lexically_normal();
+        const std::string text = content_of(file);
+        if (text.empty() || !lies_in(file, mine.folder) || std::ranges::find(files, file) != files.end()) return;
+        files.push_back(file);
+        const std::size_t place = files.size() - 1;
+        for (const std::string_view line : lines_of(text)) {
+            const std::size_t open = line.find_first_of("<\"");
+            if (line.find("#include") == std::string_view::npos || open == std::string_view::npos) continue;
+            const std::string_view name = line.substr(open + 1, line.find_first_of(">\"", open + 1) - open - 1);
+            read(file.parent_path() / name);
+            read(mine.folder / name);
+        }
+        std::rotate(files.begin() + static_cast<std::ptrdiff_t>(place),
+                    files.begin() + static_cast<std::ptrdiff_t>(place) + 1, files.end());  // after what it includes
+    };
+    for (const fs::path& header : mine.included) read(header);
+    return files;
+}
+
+/// What is not closed in one of the learner's files, if that comes before the error that the compiler tells.
+std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileError& told) {
+    for (const fs::path& file : read_files(mine)) {
+        const bool is_told = told.place.file == file.string();
+        if (const std::optional<Unclosed> found = unclosed_in(content_of(file))) {
+            if (is_told && std::pair(told.place.line, told.place.column) < std::pair(found->line, found->column))
+                return {};
+            CompileError error;
+            error.place = {file.string(), found->line, found->column};
+            error.yours = true;
+            error.source = line_of(file, found->line);
+            error.plain = found->words;
+            error.others = told.others + 1;
+            return error;
+        }
+        if (is_told) return {};
+    }
+    return {};
+}
+
 }  // namespace
 
-std::optional<CompileError> compile_error(const Outcome& compilation, const fs::path& mine, const fs::path& folder) {
+std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine, const fs::path& folder) {
     if (compilation.well()) return {};
     std::vector<Diagnosed> errors = diagnosed(compilation.errors);
     if (compilation.end != End::exited || errors.empty()) {
@@ -242,7 +287,7 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const fs::
         one.error.place.file = (folder / one.error.place.file).lexically_normal().string();
         for (Place& place : one.led_there) place.file = (folder / place.file).lexically_normal().string();
     }
-    const auto is_mine = [&](const Place& place) { return lies_in(place.file, mine); };
+    const auto is_mine = [&](const Place& place) { return lies_in(place.file, mine.folder); };
 
     const Diagnosed* chosen = &errors.front();
     Place place = chosen->error.place;
@@ -273,6 +318,7 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const fs::
             "The tests cannot use your headers as they are: has each function the name, the parameters and the result "
             "that it had in the starter?";
     error.others = static_cast<int>(errors.size()) - 1;
+    if (std::optional<CompileError> cause = not_closed(mine, error)) return cause;
     return error;
 }
 

@@ -16,15 +16,21 @@ struct CompileError {
     bool yours = false;   ///< whether it is in the learner's own file
     bool ours = false;    ///< whether it is a fault of ours, whatever the learner's file has
     std::string source;   ///< that line of the file
-    std::string message;  ///< the compiler's words
+    std::string message;  ///< the compiler's words; empty if it has none that help
     std::string plain;    ///< what they mean and what to do, for the common ones
     int others = 0;       ///< how many more errors there are
 };
 
-/// What went wrong in a compilation: of all errors the first that is in one of the learner's files, in the folder
-/// `mine`; or the first that a line there has led to; or the first. `folder` is where the compiler ran. None if the
-/// compilation went well.
-std::optional<CompileError> compile_error(const Outcome& compilation, const std::filesystem::path& mine,
+/// The learner's files that may be at fault.
+struct OwnHeaders {
+    std::filesystem::path folder;                      ///< they lie in it, and may include each other
+    std::vector<std::filesystem::path> included = {};  ///< by what is compiled; with their folder
+};
+
+/// What went wrong in a compilation: of all errors the first that is in one of the learner's files; or the first that
+/// a line there has led to; or the first. A file of theirs in which something is not closed goes before what comes
+/// after it. `folder` is where the compiler ran. None if the compilation went well.
+std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine,
                                           const std::filesystem::path& folder);
 
 /// What went wrong when a program was linked.

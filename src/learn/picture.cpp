@@ -38,7 +38,9 @@ std::optional<CompileError> build(const Workspace& workspace, const Exercise& ex
                            includes_of(workspace, exercise, making.headers),
                            {"-O1", "-g0", "-Werror=return-type", "-Dmain=lesson_main"},
                            workspace.root};
-    if (auto error = compile_error(compile(tools.compiler, what, stop), making.headers, workspace.root)) return error;
+    if (auto error =
+            compile_error(compile(tools.compiler, what, stop), own_headers(exercise, making.headers), workspace.root))
+        return error;
     return link_error(link(tools.compiler, {making.object, tools.picture_main}, making.program, stop));
 }
 

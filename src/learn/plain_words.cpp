@@ -203,6 +203,9 @@ constexpr std::array meanings{
         "This else has no if before it: is there a ; after the if's parenthesis, or are there two statements without "
         "{ }?"},
     Meaning{"unterminated%comment%", "A comment that begins here with /* never ends: write */ where it does."},
+    Meaning{"unterminated #%", "This #{1} never ends: its #endif is missing."},
+    Meaning{"unterminated conditional directive%", "This # directive never ends: its #endif is missing."},
+    Meaning{"#% without #if%", "There is no #if before this #{1}: one must go, or the #if is missing."},
     Meaning{"missing terminating%", "A quotation mark is not closed."},
     Meaning{"%extended character % is not valid%",
             "C++ does not know the character {2}: write * for × and ·, - for −, sqrt(…) for √."},

@@ -92,7 +92,8 @@ public:
                 what.includes.push_back(more);
             what.flags.push_back(fmt::format("-DEVERY_SCALAR={}", scalar_));
             const Outcome outcome = compile(tools_.compiler, what, stop);
-            if (auto error = compile_error(outcome, request_.headers, workspace_.root)) return error;
+            if (auto error = compile_error(outcome, own_headers(exercise_, request_.headers), workspace_.root))
+                return error;
         }
         if (auto error = link_error(link(tools_.compiler, objects, file("program"), stop))) return error;
         std::ofstream(file("key"), std::ios::binary) << ingredients;
@@ -186,6 +187,12 @@ std::vector<fs::path> includes_of(const Workspace& workspace, const Exercise& ex
     includes.insert(includes.end(), stages.begin(), stages.end());
     if (!exercise.include.empty()) includes.push_back(workspace.root / "src");
     return includes;
+}
+
+OwnHeaders own_headers(const Exercise& exercise, const fs::path& headers) {
+    OwnHeaders own{headers};
+    for (const std::string& name : exercise.headers) own.included.push_back(headers / exercise.include / name);
+    return own;
 }
 
 TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,

@@ -73,4 +73,7 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
 std::vector<std::filesystem::path> includes_of(const Workspace& workspace, const Exercise& exercise,
                                                const std::filesystem::path& headers);
 
+/// The headers of a lesson in that folder, as a compiler's errors are looked for in them.
+OwnHeaders own_headers(const Exercise& exercise, const std::filesystem::path& headers);
+
 }  // namespace glassbox::learn

@@ -36,7 +36,7 @@ struct Project {
         std::ofstream(folder / "src" / fs::path("core/2-spheres/sphere.hpp")) << "\n";
     }
     CompileError error(const std::string& errors) const {
-        const auto found = compile_error(said(errors), mine, folder.path);
+        const auto found = compile_error(said(errors), {mine}, folder.path);
         REQUIRE(found);
         return *found;
     }
@@ -84,6 +84,8 @@ TEST_CASE("g++ and clang++ are told in the same plain words") {
                   "recursive template instantiation exceeded maximum depth of 1024", "needs itself without end"},
              Case{"expected ')' before ';' token", "expected ')'", "A ( is not closed"},
              Case{"unterminated comment", "unterminated /* comment", "never ends"},
+             Case{"unterminated #if", "unterminated conditional directive", "#endif is missing"},
+             Case{"#endif without #if", "#endif without #if", "There is no #if before this #endif"},
              Case{"extended character × is not valid in an identifier", "unexpected character <U+00D7>",
                   "write * for × and ·"},
              Case{"lvalue required as left operand of assignment", "expression is not assignable",
@@ -172,6 +174,38 @@ TEST_CASE("an error elsewhere that a line of the learner's led to is told at tha
     }
 }
 
+TEST_CASE("what is not closed in a header goes before what another file, or a later line, complains of") {
+    const Project project;
+    const fs::path first = project.mine / "1-rays/vec3.hpp", second = project.mine / "1-rays/ray.hpp",
+                   unused = project.mine / "1-rays/old.hpp";
+    std::ofstream(first) << "#pragma once\nnamespace glassbox {\nint two = 2;\n";
+    std::ofstream(second) << "#pragma once\n#include <vec3.hpp>\nint three = two;\n";
+    std::ofstream(unused) << "void old() {\n";
+    const auto error = [&](const std::string& errors) {
+        const auto found = compile_error(said(errors), {project.mine / "1-rays", {second, first}}, project.folder.path);
+        REQUIRE(found);
+        return *found;
+    };
+    for (const char* errors :
+         {"tests/checks.hpp:93:7: error: 'passed' was not declared in this scope\n",
+          "my/1-rays/ray.hpp:3:13: error: 'two' was not declared in this scope\n",
+          "my/1-rays/vec3.hpp:3:1: error: a template declaration cannot appear at block scope\n"}) {
+        const CompileError one = error(errors);
+        CHECK(one.yours);
+        CHECK(one.place.file == first.string());
+        CHECK(one.place.line == 2);
+        CHECK(one.place.column == 20);  // n-a-m-e-s-p-a-c-e, a blank, glassbox, a blank: 19
+        CHECK(one.source == "namespace glassbox {");
+        CHECK(one.plain.starts_with("This { is never closed"));
+        CHECK(one.message == "");
+        CHECK(one.others == 1);
+    }
+    // What comes before it is told first; and what no file includes is not looked at.
+    CHECK(error("my/1-rays/vec3.hpp:1:9: error: 'tow' was not declared in this scope\n").place.line == 1);
+    std::ofstream(first, std::ios::app) << "}\n";
+    CHECK_FALSE(error("tests/checks.hpp:93:7: error: 'passed' was not declared in this scope\n").yours);
+}
+
 TEST_CASE("an error in the tests is said to be about the headers") {
     const Project project;
     const CompileError error = project.error("tests/stage.cpp:7:3: error: some complaint that has no plain words\n");
@@ -233,7 +267,7 @@ TEST_CASE("a compiler that comes to an end itself is told of, and so is a linker
     const Project project;
     Outcome outcome = said("");
     outcome.end = End::deadline;
-    const auto late = compile_error(outcome, project.mine, project.folder.path);
+    const auto late = compile_error(outcome, {project.mine}, project.folder.path);
     REQUIRE(late);
     CHECK(late->plain.find("does not come to an end") != std::string::npos);
     const auto missing =
@@ -244,6 +278,6 @@ TEST_CASE("a compiler that comes to an end itself is told of, and so is a linker
     CHECK(missing->plain.find("no body") != std::string::npos);
     Outcome good;
     good.end = End::exited;
-    CHECK_FALSE(compile_error(good, project.mine, project.folder.path));
+    CHECK_FALSE(compile_error(good, {project.mine}, project.folder.path));
     CHECK_FALSE(link_error(good));
 }

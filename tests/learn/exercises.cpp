@@ -5,6 +5,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <set>
@@ -150,6 +151,29 @@ TEST_CASE("the solution passes, in every scalar, and each function has its tests
             CHECK_MESSAGE(std::any_of(run.cases.begin(), run.cases.end(),
                                       [&](const CaseResult& one) { return one.name.find(part) != std::string::npos; }),
                           "no test is called ", part);
+}
+
+TEST_CASE("a header without its last brace is named itself, at the brace that is never closed") {
+    const Workspace all = workspace();
+    const Exercise& exercise = exercise_called(all, lesson);
+    const fs::path headers = work_folder(all, "unclosed") / "headers";
+    for (const std::string& broken : exercise.headers) {
+        CAPTURE(broken);
+        fs::create_directories(headers / exercise.include);
+        for (const std::string& header : exercise.headers)
+            fs::copy_file(all.solution(exercise, header), headers / exercise.include / header,
+                          fs::copy_options::overwrite_existing);
+        const std::string solution = read_text(all.solution(exercise, broken));
+        std::ofstream(headers / exercise.include / broken) << solution.substr(0, solution.rfind('}'));
+        const TestRun run = run_tests(all, exercise, tools(all), {headers, work_folder(all, "unclosed")});
+        REQUIRE(run.error);
+        CHECK(run.error->yours);
+        CHECK(fs::path(run.error->place.file) == headers / exercise.include / broken);
+        // The last brace is that of the namespace, which is the first that the header opens.
+        CHECK(run.error->source.starts_with("namespace glassbox"));
+        CHECK(run.error->place.column == run.error->source.size());
+        CHECK(run.error->plain.starts_with("This { is never closed"));
+    }
 }
 
 TEST_CASE("each mistake is caught, and recognised as itself; mistakes.json is what they do now") {

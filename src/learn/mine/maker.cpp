@@ -11,6 +11,7 @@
 
 #include "learn/headers.hpp"
 #include "learn/progress.hpp"
+#include "learn/test_run.hpp"
 #include "render/job.hpp"
 #include "render/option_names.hpp"
 #include "scene/text_file.hpp"
@@ -115,7 +116,8 @@ Built build(const Workspace& workspace, const Exercise& exercise, const Compiler
         {workspace.root / "src/learn/mine/renderer.cpp", object, includes(workspace, exercise), all, workspace.root},
         stop);
     if (stop.stop_requested()) throw Cancelled{};
-    Built built{program, compile_error(compiled, workspace.headers_of(exercise), workspace.root), ""};
+    Built built{program, compile_error(compiled, own_headers(exercise, workspace.headers_of(exercise)), workspace.root),
+                ""};
     if (!built.error && !compiled.well()) built.words = "the compiler could not compile it: " + in_words(compiled);
     if (!built.error && built.words.empty()) {
         const Outcome linked = link(compiler, {object}, made, stop);
@@ -230,7 +232,9 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
                 if (built.error) {
                     Place place = built.error->place;
                     place.file = shown(place.file);
-                    news.words = error_at(place, built.error->message).what();
+                    news.words =
+                        error_at(place, built.error->message.empty() ? built.error->plain : built.error->message)
+                            .what();
                 }
                 return tell(std::move(news));
             }
