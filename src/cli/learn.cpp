@@ -237,19 +237,29 @@ void mistake(Lesson& lesson) {
                       chosen.name));
 }
 
-/// Tests all lessons in the folders of learners; writes a page, and prints the table.
+/// Tests all lessons in the folders of learners; writes a page, and prints the table. All that can be known to be wrong
+/// is told before the long work; a learner who cannot be graded keeps no other from it.
 void report(const LearnRequest& request, const std::stop_token& stop) {
     const bool as_csv = request.report.ends_with(".csv");
     check_writable(request.report);
     const Workspace teacher = open_workspace(fs::current_path(), request.folder);
-    std::vector<fs::path> folders(request.learners.begin(), request.learners.end());
-    if (folders.empty()) folders = {teacher.folder};
-    Grader grader(teacher, [](const std::string& text) { tell("glassbox learn: " + text); });
+    std::vector<fs::path> paths(request.learners.begin(), request.learners.end());
+    if (paths.empty()) paths = {teacher.folder};
+    const auto say = [](const std::string& text) { tell("glassbox learn: " + text); };
+    const std::vector<HandedIn> all = all_handed_in(teacher, paths, [](const std::string& text) { tell(text); });
+    Grader grader(teacher, say);
     std::vector<LearnerStanding> learners;
-    for (const fs::path& folder : folders) learners.push_back(grader.grade(folder, stop));
+    for (const HandedIn& one : all) try {
+            learners.push_back(grader.grade(one, stop));
+        } catch (const Error& error) {
+            tell(error.what());
+            say(fmt::format("{} is left out", one.learner));
+        }
+    if (learners.empty()) end_with(1);
     const std::string text = as_csv ? to_csv(learners) : to_html(learners);
     write_whole(request.report, std::as_bytes(std::span(text)), stop);
     print(to_table(learners));
+    if (learners.size() < all.size()) end_with(1);
 }
 
 using Run = std::function<void(Lesson&)>;

@@ -24,6 +24,16 @@ bool is_begun(const Workspace& workspace, const Exercise& exercise) {
     });
 }
 
+/// What is wrong with a header that is missing, or is no text file; "" if there are all. Ours must not take its place.
+std::string why_unusable(const Workspace& workspace, const Exercise& exercise) {
+    try {
+        for (const std::string& header : exercise.headers) read_header(workspace, exercise, header);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
 /// What the learner's folder remembers, read from a copy: reading sets aside what is unreadable.
 Progress remembered(const Workspace& learner, const fs::path& scratch, std::string& complaint) {
     const fs::path copy = make_folder(scratch) / "progress.json";
@@ -62,6 +72,12 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
     const fs::path folder = make_folder(scratch_ / exercise.name);
     for (const Function& function : exercise.functions) lesson.functions.push_back({function.name, function.header});
     if (!is_begun(learner, exercise)) return lesson;
+    lesson.wrong = why_unusable(learner, exercise);
+    if (!lesson.wrong.empty()) {
+        lesson.verdict = Verdict::does_not_compile;
+        lesson.no_picture = "a header cannot be used";
+        return lesson;
+    }
 
     const TestRun run = run_tests(learner, exercise, tools_, {learner.headers_of(exercise), folder}, stop);
     const Judgement judgement = judged(exercise, run);
@@ -85,19 +101,13 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
     return lesson;
 }
 
-LearnerStanding Grader::grade(const fs::path& folder, const std::stop_token& stop) {
-    std::error_code none;
-    if (!fs::is_directory(folder, none))
-        throw error_at({folder.string()},
-                       "there is no such folder; a learner's folder has folders such as 1-rays in it");
-    const Workspace learner = open_workspace(teacher_.root, fs::absolute(folder));
+LearnerStanding Grader::grade(const HandedIn& handed_in, const std::stop_token& stop) {
+    const Workspace& learner = handed_in.workspace;
     std::string complaint;
     Progress progress = remembered(learner, scratch_, complaint);
     if (!complaint.empty()) say_(complaint);
 
-    fs::path name = fs::absolute(folder).lexically_normal();
-    if (!name.has_filename()) name = name.parent_path();
-    LearnerStanding standing{name.filename().string(), {}};
+    LearnerStanding standing{handed_in.learner, {}, handed_in.notes};
     for (const Exercise& exercise : learner.exercises) {
         say_(fmt::format("{}: lesson {}, {}", standing.learner, exercise.number, exercise.title));
         LessonStanding lesson = grade(learner, exercise, stop);

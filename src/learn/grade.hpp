@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string>
 
+#include "learn/handed_in.hpp"
 #include "learn/standing.hpp"
 #include "learn/toolchain.hpp"
 #include "learn/workspace.hpp"
@@ -19,9 +20,9 @@ public:
     /// `say` is told what is being done. Throws Error if there is no compiler.
     Grader(Workspace teacher, std::function<void(const std::string&)> say);
 
-    /// How the learner stands whose folder it is: every lesson begun is tested, and its picture drawn. Throws Error if
-    /// there is no such folder, or the machine cannot do it; Cancelled when asked to stop.
-    LearnerStanding grade(const std::filesystem::path& folder, const std::stop_token& stop = {});
+    /// How a learner stands: every lesson begun is tested, and its picture drawn. Throws Error if the machine cannot do
+    /// it; Cancelled when asked to stop.
+    LearnerStanding grade(const HandedIn& handed_in, const std::stop_token& stop = {});
 
 private:
     LessonStanding grade(const Workspace& learner, const Exercise& exercise, const std::stop_token& stop);

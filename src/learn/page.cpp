@@ -226,6 +226,7 @@ std::string to_html(const std::vector<LearnerStanding>& learners) {
     for (std::size_t k = 0; k < learners.size(); ++k) {
         html += fmt::format("<h1 id=\"learner-{}\">{}</h1>\n<p>{} of {} lessons passed.</p>\n", k,
                             escaped(learners[k].learner), lessons_passed(learners[k]), learners[k].lessons.size());
+        for (const std::string& note : learners[k].notes) html += fmt::format("<p>{}</p>\n", escaped(note));
         for (const auto& lesson : learners[k].lessons) html += section(lesson);
     }
     if (learners.size() > 1) html += html_table(learners);

@@ -40,6 +40,7 @@ struct LessonStanding {
 struct LearnerStanding {
     std::string learner;
     std::vector<LessonStanding> lessons;
+    std::vector<std::string> notes = {};  ///< on what was handed in: where it was found, what is missing
 };
 
 int functions_passed(const LessonStanding& lesson);

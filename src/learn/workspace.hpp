@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,12 +14,17 @@ struct Workspace {
     std::filesystem::path root;    ///< the project's root, absolute
     std::filesystem::path folder;  ///< the learner's folder, absolute: root/my by default
     std::vector<Exercise> exercises;
+    /// The folders of lessons, by the lesson's name, that are not called as their lesson is.
+    std::map<std::string, std::filesystem::path> called_otherwise = {};
 
     /// What `learn` makes for itself.
     std::filesystem::path hidden() const { return folder / ".glassbox"; }
 
     /// The folder with the learner's headers of a lesson; it goes on the include path.
-    std::filesystem::path headers_of(const Exercise& exercise) const { return folder / exercise.name; }
+    std::filesystem::path headers_of(const Exercise& exercise) const {
+        const auto other = called_otherwise.find(exercise.name);
+        return other == called_otherwise.end() ? folder / exercise.name : other->second;
+    }
 
     std::filesystem::path header(const Exercise& exercise, const std::string& name) const {
         return headers_of(exercise) / exercise.include / name;

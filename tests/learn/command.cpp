@@ -119,6 +119,32 @@ TEST_CASE("the solution can be piped, passes, and makes a picture; that one gave
     CHECK_FALSE(fs::exists(home() / "none.png"));
 }
 
+TEST_CASE(
+    "a report leaves out what is no folder, finds lessons further in, and does not take ours for a missing header") {
+    const fs::path hand = home() / "hand", rays = fs::path(ROOT) / "src/core/1-rays";
+    for (const char* folder : {"ada/1-Rays", "bo/my/1-rays"}) {
+        fs::create_directories(hand / folder);
+        for (const char* header : {"vec3.hpp", "ray.hpp", "viewing_plane.hpp"})
+            fs::copy_file(rays / header, hand / folder / header);
+    }
+    fs::remove(hand / "bo/my/1-rays/vec3.hpp");
+    std::ofstream(hand / "notes.txt") << "x\n";
+    const Ran ran = learn({"report", "hand/ada", "hand/bo", "hand/notes.txt", "-o", "class.csv"});
+    CHECK(ran.status == 0);
+    check_has(ran.err, "hand/notes.txt: note: this is no folder; it is left out");
+    check_has(ran.err, "hand/bo: note: its lessons are in hand/bo/my");
+    const std::string csv = content(home() / "class.csv");
+    check_has(csv, "\nada,1,passed,9,9,");
+    check_has(csv, "\nbo,1,does not compile,0,9,0,0,0,");
+    const Ran page = learn({"report", "hand/bo", "-o", "bo.html"});
+    check_has(content(home() / "bo.html"), "its lessons are in hand/bo/my");
+    check_has(content(home() / "bo.html"), "vec3.hpp: error: there is no such file");
+    const Ran none = learn({"report", "hand/ada", "hand/nobody"});
+    CHECK(none.status == 1);
+    check_has(none.err, "hand/nobody: error: there is no such folder");
+    CHECK(none.seconds < 5);
+}
+
 TEST_CASE("watch says what it watches and ends with Ctrl-C, in the middle of a test, too") {
     for (const auto at : {300ms, 6000ms}) {
         const Ran ran =
