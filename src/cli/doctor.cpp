@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/scene_path.hpp"
 #include "engine/vector_check.hpp"
+#include "learn/isolation.hpp"
 #include "render/assumptions.hpp"
 #include "scene/printable.hpp"
 
@@ -34,11 +35,16 @@ std::vector<Finding> arithmetic() {
 
 std::vector<Finding> surroundings() {
     const std::filesystem::path scenes = shipped_scenes();
+    const std::string not_isolated = learn::why_not_isolated();
     const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     return {
         {!scenes.empty(), scenes.empty() ? "its own scenes" : "its own scenes are in " + printable(scenes.string()),
          "not found; install it with cmake --install, or keep the source folder where it was built"},
         {true, fmt::format("{} threads", std::max(1u, std::thread::hardware_concurrency())), ""},
+        {true,
+         not_isolated.empty() ? "what learners hand in can run isolated"
+                              : "what learners hand in would run with your rights: " + not_isolated,
+         ""},
         {true, display ? "there is a display" : "there is no display; render, measure and shoot need none", ""},
     };
 }

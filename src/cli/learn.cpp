@@ -33,8 +33,15 @@ namespace fs = std::filesystem;
 struct LearnRequest {
     std::string lesson, mistake, folder, picture, report = "report.html";
     std::vector<std::string> learners;
-    bool record = false, solution = false;
+    bool record = false, solution = false, isolated = false;
 };
+
+/// A stranger's folder may have programs in it that look as if we had made them: isolated, ours are made elsewhere.
+Workspace workspace_for(const LearnRequest& request) {
+    Workspace workspace = open_workspace(fs::current_path(), request.folder);
+    if (request.isolated) workspace.hidden_elsewhere = workspace.root / "my" / ".glassbox" / "isolated";
+    return workspace;
+}
 
 /// A subcommand of `learn` as it runs.
 struct Lesson {
@@ -46,8 +53,8 @@ struct Lesson {
     Lesson(const LearnRequest& asked, std::stop_token token)
         : request(asked),
           stop(std::move(token)),
-          learner(open_workspace(fs::current_path(), asked.folder),
-                  [](const std::string& text) { tell("glassbox learn: " + text); }),
+          learner(
+              workspace_for(asked), [](const std::string& text) { tell("glassbox learn: " + text); }, asked.isolated),
           paint{is_terminal() && !no_color()} {}
 
     const Exercise& exercise() { return learner.lesson(request.lesson); }
@@ -247,7 +254,9 @@ void report(const LearnRequest& request, const std::stop_token& stop) {
     if (paths.empty()) paths = {teacher.folder};
     const auto say = [](const std::string& text) { tell("glassbox learn: " + text); };
     const std::vector<HandedIn> all = all_handed_in(teacher, paths, [](const std::string& text) { tell(text); });
-    Grader grader(teacher, say);
+    Grader grader(teacher, request.isolated ? Isolating::always : Isolating::where_possible, say);
+    const std::string& why_not = grader.why_not_isolated();
+    if (!why_not.empty()) say("note: learners' code runs as you do, with your rights: " + why_not);
     std::vector<LearnerStanding> learners;
     for (const HandedIn& one : all) try {
             learners.push_back(grader.grade(one, stop));
@@ -256,7 +265,10 @@ void report(const LearnRequest& request, const std::stop_token& stop) {
             say(fmt::format("{} is left out", one.learner));
         }
     if (learners.empty()) end_with(1);
-    const std::string text = as_csv ? to_csv(learners) : to_html(learners);
+    const std::string how =
+        why_not.empty() ? "Learners’ code ran isolated: without network, without your files and your other programs."
+                        : "Learners’ code ran as you do, with your rights: " + why_not + ".";
+    const std::string text = as_csv ? to_csv(learners) : to_html(learners, how);
     write_whole(request.report, std::as_bytes(std::span(text)), stop);
     print(to_table(learners));
     if (learners.size() < all.size()) end_with(1);
@@ -280,6 +292,10 @@ CLI::Option* add_lesson(CLI::App* command, const std::shared_ptr<LearnRequest>& 
         ->type_name(" ");
 }
 
+void add_isolated(CLI::App* command, const std::shared_ptr<LearnRequest>& request, const char* help) {
+    command->add_flag("--isolated", request->isolated, help);
+}
+
 }  // namespace
 
 void add_learn(CLI::App& program, Session& session) {
@@ -288,11 +304,11 @@ void add_learn(CLI::App& program, Session& session) {
     learn->require_subcommand(0, 1);
 
     add(*learn, session, request, "status", "Show the lessons, how far you are, and what to do next", status);
-    add_lesson(add(*learn, session, request, "test", "Test what you have written",
-                   [](Lesson& lesson) {
-                       if (!test(lesson, lesson.exercise())) end_with(1);
-                   }),
-               request);
+    CLI::App* test_command = add(*learn, session, request, "test", "Test what you have written", [](Lesson& lesson) {
+        if (!test(lesson, lesson.exercise())) end_with(1);
+    });
+    add_lesson(test_command, request);
+    add_isolated(test_command, request, "for what others wrote: without network, files and other programs");
     add_lesson(add(*learn, session, request, "watch", "Test after each change, until Ctrl-C", watch), request);
     add_lesson(add(*learn, session, request, "hint", "A hint: a question, then the formula, then the code", hint),
                request);
@@ -306,6 +322,7 @@ void add_learn(CLI::App& program, Session& session) {
         ->type_name("NAME");
     picture_command->add_flag("--solution", request->solution, "with the solution, instead of yours")
         ->excludes("--mistake");
+    add_isolated(picture_command, request, "for what others wrote: without network, files and other programs");
     add_lesson(
         add(*learn, session, request, "solution", "Show our headers; asks first if yours have not passed", solution),
         request);
@@ -327,6 +344,7 @@ void add_learn(CLI::App& program, Session& session) {
     report_command->add_option("-o,--out", request->report, "the page, .html, or its numbers, .csv")
         ->type_name("OUT.html")
         ->capture_default_str();
+    add_isolated(report_command, request, "refuse to run what others wrote where that cannot be isolated");
     report_command->callback([request, &session] { report(*request, session.interrupt.token()); });
 
     for (CLI::App* command : learn->get_subcommands([](const CLI::App*) { return true; }))

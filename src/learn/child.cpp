@@ -125,7 +125,8 @@ std::string launcher(const Command& command) {
 }
 
 std::vector<std::string> environment_of(const Command& command) {
-    auto added = command.environment;
+    auto added = command.isolation ? environment_of_isolated() : decltype(command.environment){};
+    added.insert(added.end(), command.environment.begin(), command.environment.end());
     added.emplace_back(last_words_variable, std::to_string(last_words_descriptor));
     if (command.shared) added.emplace_back(shared_memory_variable, std::to_string(shared_descriptor));
     std::vector<std::string> all;
@@ -133,7 +134,7 @@ std::vector<std::string> environment_of(const Command& command) {
         const std::string_view text = *entry;
         const std::string_view name = text.substr(0, text.find('='));
         const bool replaced =
-            name == shared_memory_variable ||
+            name == shared_memory_variable || (command.isolation && !is_for_isolated(name)) ||
             std::any_of(added.begin(), added.end(), [&](const auto& one) { return one.first == name; });
         if (!replaced) all.emplace_back(text);
     }
@@ -150,7 +151,11 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 
 /// Starts the launcher; returns the number of its process, which is its session and its group, too.
 pid_t start(const Command& command, const SharedMemory& last_words, const Pipe& output, const Pipe& errors) {
-    std::vector<std::string> arguments{"sh", "-c", launcher(command), "sh", command.program.string()};
+    std::vector<std::string> arguments{"sh", "-c", launcher(command), "sh"};
+    if (command.isolation)
+        for (std::string& word : isolating_command(*command.isolation, command.folder))
+            arguments.push_back(std::move(word));
+    arguments.push_back(command.program.string());
     arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
     std::vector<std::string> environment = environment_of(command);
 
@@ -222,29 +227,45 @@ private:
     Descriptor ended_;
 };
 
+bool is_program(const std::filesystem::path& file) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(file, none) && ::access(file.c_str(), X_OK) == 0;
+}
+
+bool is_in_path(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::string_view folders = path ? path : "/usr/bin:/bin";
+    while (!program.empty()) {
+        const std::size_t end = std::min(folders.find(':'), folders.size());
+        if (is_program(std::filesystem::path(folders.substr(0, end)) / program)) return true;
+        if (end == folders.size()) break;
+        folders.remove_prefix(end + 1);
+    }
+    return false;
+}
+
 /// Why the program cannot be run, if that is plain to see; the shell's own words are no help.
 std::string why_not(const Command& command) {
     std::error_code ignored;
     if (!command.folder.empty() && !std::filesystem::is_directory(command.folder, ignored))
         return fmt::format("{}: error: there is no such folder", command.folder.string());
     const std::string program = command.program.string();
-    const auto runs = [](const std::filesystem::path& file) {
-        std::error_code no;
-        return std::filesystem::is_regular_file(file, no) && ::access(file.c_str(), X_OK) == 0;
-    };
-    if (program.find('/') != std::string::npos) {
-        const bool there = runs(command.program.is_absolute() ? command.program : command.folder / command.program);
-        return there ? "" : fmt::format("{}: error: there is no such program", program);
-    }
-    const char* path = std::getenv("PATH");
-    std::string_view folders = path ? path : "/usr/bin:/bin";
-    while (!program.empty()) {
-        const std::size_t end = std::min(folders.find(':'), folders.size());
-        if (runs(std::filesystem::path(folders.substr(0, end)) / program)) return "";
-        if (end == folders.size()) break;
-        folders.remove_prefix(end + 1);
-    }
-    return fmt::format("{}: error: there is no such program in PATH; install it", program);
+    if (program.find('/') != std::string::npos &&
+        !is_program(command.program.is_absolute() ? command.program : command.folder / command.program))
+        return fmt::format("{}: error: there is no such program", program);
+    std::vector<std::string> looked_up{command.isolation ? "bwrap" : program, program};
+    for (const std::string& name : looked_up)
+        if (name.find('/') == std::string::npos && !is_in_path(name))
+            return fmt::format("{}: error: there is no such program in PATH; install it", name);
+    return "";
+}
+
+/// What bubblewrap's exit status says of the program that it ran: as a shell, it adds 128 to a signal's number. A
+/// program that called exit() with such a status has said so.
+std::optional<int> signal_of_isolated(const LastWords& words, int exit_status) {
+    const bool exited = words.kind == LastWords::left || words.kind == LastWords::finished;
+    if (exited || exit_status <= 128 || exit_status > 128 + 64) return {};
+    return exit_status - 128;
 }
 
 /// Whether an end looks as if memory had run out. The guess: a failed new says so, and the system kills with a signal
@@ -301,8 +322,11 @@ Outcome run(const Command& command, const std::stop_token& stop) {
     outcome.last_words.text[sizeof(outcome.last_words.text) - 1] = '\0';
 
     if (outcome.end != End::exited) return outcome;
-    if (WIFSIGNALED(status)) {
-        outcome.status = WTERMSIG(status);
+    std::optional<int> signal;
+    if (WIFSIGNALED(status)) signal = WTERMSIG(status);
+    else if (command.isolation) signal = signal_of_isolated(outcome.last_words, WEXITSTATUS(status));
+    if (signal) {
+        outcome.status = *signal;
         outcome.end = outcome.status == SIGXCPU                                               ? End::deadline
                       : looks_like_memory(outcome.last_words, outcome.status, outcome.errors) ? End::memory
                                                                                               : End::signal;

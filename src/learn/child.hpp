@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "learn/isolation.hpp"
 #include "learn/last_words.hpp"
 #include "learn/shared_memory.hpp"
 
@@ -33,7 +35,8 @@ struct Command {
     /// Called every 50 ms or so while it runs. Whenever it answers that the program has got on, Limits::time begins
     /// anew.
     std::function<bool()> has_got_on = {};
-    const SharedMemory* shared = nullptr;  ///< handed down as shared_memory_variable; must live until run() returns
+    std::optional<Isolation> isolation = {};  ///< set apart from all else, with no more than this
+    const SharedMemory* shared = nullptr;     ///< handed down as shared_memory_variable; must live until run() returns
 };
 
 /// What made an end of a program.

@@ -101,9 +101,19 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
     return !near.empty() && *near.begin() != "..";
 }
 
-std::string line_of(const fs::path& file, std::size_t number) {
+/// Whether a file may be read for what an error says of its place. A line such as '#line 1 "/home/teacher/notes"' names
+/// any file: none is shown but the learner's own, ours and the system's headers.
+bool may_be_read(const fs::path& file, const OwnHeaders& mine, const fs::path& root) {
     std::error_code failed;
-    if (!fs::is_regular_file(file, failed)) return "";
+    const fs::path real = fs::canonical(file, failed);
+    if (failed || !fs::is_regular_file(real, failed)) return false;
+    std::vector<fs::path> folders{"/usr/include", "/usr/lib", fs::weakly_canonical(mine.folder, failed)};
+    for (const char* ours : {"src", "tests", "lessons"})
+        if (!root.empty()) folders.push_back(fs::weakly_canonical(root / ours, failed));
+    return std::ranges::any_of(folders, [&](const fs::path& folder) { return lies_in(real, folder); });
+}
+
+std::string line_of(const fs::path& file, std::size_t number) {
     std::ifstream in(file);
     std::string line;
     for (std::size_t n = 0; n < number; ++n)
@@ -308,9 +318,11 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const OwnH
     CompileError error;
     error.place = place;
     error.yours = is_mine(place);
-    error.source = line_of(place.file, place.line);
     error.message = chosen->error.rest;
-    error.plain = suggested(error);
+    if (may_be_read(place.file, mine, folder)) {
+        error.source = line_of(place.file, place.line);
+        error.plain = suggested(error);
+    }
     if (error.plain.empty()) error.plain = of_a_later_lesson(error, folder);
     if (error.plain.empty()) error.plain = in_plain_words(error.message, operation_at(error));
     if (!error.yours && error.plain.empty())

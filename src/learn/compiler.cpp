@@ -24,8 +24,24 @@ const std::vector<std::pair<std::string, std::string>> plain{
     {"LC_ALL", "C"}, {"CCACHE_DISABLE", "1"}, {"GCC_COLORS", ""}, {"CLICOLOR_FORCE", ""}};
 
 Outcome run_compiler(const Compiler& compiler, std::vector<std::string> arguments, const fs::path& folder,
-                     const std::stop_token& stop) {
-    return run({compiler.program, std::move(arguments), plain, folder, while_compiling}, stop);
+                     const std::stop_token& stop, const Isolation& files = {}) {
+    Command command{compiler.program, std::move(arguments), plain, folder, while_compiling};
+    if (compiler.isolation) {
+        command.isolation = compiler.isolation;
+        Isolation& all = *command.isolation;
+        all.reads.insert(all.reads.end(), files.reads.begin(), files.reads.end());
+        all.writes.insert(all.writes.end(), files.writes.begin(), files.writes.end());
+    }
+    return run(command, stop);
+}
+
+/// Where a compiler lies that is not one of the system's: the folder with its bin, if that is not the home folder.
+fs::path own_folder(const std::string& program) {
+    std::error_code none;
+    const fs::path file = fs::canonical(program, none), folder = file.parent_path().parent_path();
+    const char* home = std::getenv("HOME");
+    const bool is_home = home && *home && !fs::relative(home, folder, none).string().starts_with("..");
+    return none || file.parent_path().filename() != "bin" || folder == "/" || is_home ? fs::path() : folder;
 }
 
 /// As it is named from a folder, if it lies in it.
@@ -59,19 +75,36 @@ Compiler find_compiler() {
     return compiler;
 }
 
+Compiler isolated(Compiler compiler, std::vector<fs::path> reads) {
+    if (const fs::path own = own_folder(compiler.program); !own.empty()) reads.push_back(own);
+    compiler.isolation = Isolation{std::move(reads), {}};
+    const Outcome version = run_compiler(compiler, {"--version"}, {}, {});
+    if (!version.well())
+        throw Error(
+            fmt::format("glassbox learn: error: the compiler {} does not answer when it runs isolated: {}; "
+                        "use one of the system's: CXX=g++ ./glassbox learn",
+                        in_quotes(compiler.program), in_words(version)));
+    return compiler;
+}
+
 Outcome compile(const Compiler& compiler, const Compilation& what, const std::stop_token& stop) {
     std::vector<std::string> arguments = arguments_of(what);
     const std::string source = named_from(what.folder, what.source);
     arguments.insert(arguments.end(), {compiler.clang ? "-ferror-limit=20" : "-fmax-errors=20", "-c",
                                        named_from(what.folder, what.source), "-o", what.object.string()});
-    return run_compiler(compiler, std::move(arguments), what.folder, stop);
+    return run_compiler(compiler, std::move(arguments), what.folder, stop,
+                        {what.includes, {what.object.parent_path()}});
 }
 
 Outcome link(const Compiler& compiler, const std::vector<fs::path>& objects, const fs::path& program,
              const std::stop_token& stop) {
     std::vector<std::string> arguments{"-o", program.string()};
-    for (const fs::path& object : objects) arguments.push_back(object.string());
-    return run_compiler(compiler, std::move(arguments), {}, stop);
+    Isolation files{{}, {program.parent_path()}};
+    for (const fs::path& object : objects) {
+        arguments.push_back(object.string());
+        files.reads.push_back(object.parent_path());
+    }
+    return run_compiler(compiler, std::move(arguments), {}, stop, files);
 }
 
 void precompile(const Compiler& compiler, const Compilation& header, const std::stop_token& stop) {

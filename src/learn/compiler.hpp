@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -13,11 +14,17 @@ struct Compiler {
     std::string program;   ///< a path, or a name to be found in PATH
     bool clang = false;    ///< clang++, or else g++
     std::string identity;  ///< its version, in its own words: what one version has made is of no use to another
+    /// If what strangers wrote is compiled and run: with what, besides the files of a compilation, this is done apart
+    /// from all else.
+    std::optional<Isolation> isolation = {};
 };
 
 /// The compiler that the environment's CXX names, or else the one that Glassbox was built with. Throws Error, which
 /// says how to get one, if it is not there or does not answer.
 Compiler find_compiler();
+
+/// The same compiler, to be run isolated: by itself it may read these files. Throws Error if it then does not answer.
+Compiler isolated(Compiler compiler, std::vector<std::filesystem::path> reads);
 
 /// How a file is compiled. Paths are absolute.
 struct Compilation {

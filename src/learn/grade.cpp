@@ -24,10 +24,24 @@ bool is_begun(const Workspace& workspace, const Exercise& exercise) {
     });
 }
 
-/// What is wrong with a header that is missing, or is no text file; "" if there are all. Ours must not take its place.
+/// Whether a path is, behind all links, in that folder.
+bool is_really_in(const fs::path& folder, const fs::path& path) {
+    std::error_code none;
+    const fs::path near = fs::relative(path, folder, none);  // both without links
+    return !none && !near.empty() && *near.begin() != "..";
+}
+
+/// What is wrong with a header that is missing, is no text file, or is a link to a file of somebody else's; "" if there
+/// are all. Ours must not take its place.
 std::string why_unusable(const Workspace& workspace, const Exercise& exercise) {
     try {
-        for (const std::string& header : exercise.headers) read_header(workspace, exercise, header);
+        for (const std::string& header : exercise.headers) {
+            const fs::path path = workspace.header(exercise, header);
+            std::error_code none;
+            if (fs::exists(path, none) && !is_really_in(workspace.folder, path))
+                throw error_at({shown(path)}, "this is a link to a file elsewhere; hand in the file itself");
+            read_header(workspace, exercise, header);
+        }
     } catch (const Error& error) {
         return error.what();
     }
@@ -52,11 +66,19 @@ Verdict verdict(const TestRun& run, const Judgement& judgement) {
 
 }  // namespace
 
-Grader::Grader(Workspace teacher, std::function<void(const std::string&)> say)
+Grader::Grader(Workspace teacher, Isolating isolating, std::function<void(const std::string&)> say)
     : teacher_(std::move(teacher)),
       say_(std::move(say)),
       tools_(toolchain(teacher_, say_)),
-      scratch_(make_folder(teacher_.hidden() / "grading")) {}
+      scratch_(make_folder(teacher_.hidden() / "grading")) {
+    try {
+        tools_ = isolated(tools_, teacher_);
+    } catch (const Error& error) {
+        if (isolating == Isolating::always) throw;
+        const std::string_view words = error.what();
+        why_not_isolated_ = words.substr(words.find(": error: ") + 9);
+    }
+}
 
 const std::optional<Image>& Grader::ours(const Exercise& exercise, const std::stop_token& stop) {
     const auto [place, is_new] = ours_.try_emplace(exercise.number);

@@ -46,9 +46,9 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
 
 std::vector<fs::path> folders_in(const fs::path& folder) {
     std::vector<fs::path> folders = entries_of(folder);
-    std::erase_if(folders, [](const fs::path& path) {
+    std::erase_if(folders, [](const fs::path& path) {  // a link may lead to another learner's
         std::error_code none;
-        return !fs::is_directory(path, none);
+        return fs::is_symlink(path, none) || !fs::is_directory(path, none);
     });
     return folders;
 }
@@ -76,8 +76,10 @@ bool has_lessons_begun(const fs::path& folder, const std::vector<Exercise>& exer
 /// Of the folders in a folder those where a learner's may be: of all of Glassbox only my/, as the rest is ours.
 std::vector<fs::path> next_level(const fs::path& folder) {
     std::error_code none;
-    if (fs::is_regular_file(folder / "lessons/1-rays/exercise.toml", none)) return {folder / "my"};
-    return folders_in(folder);
+    std::vector<fs::path> folders = folders_in(folder);
+    if (fs::is_regular_file(folder / "lessons/1-rays/exercise.toml", none))
+        std::erase_if(folders, [](const fs::path& one) { return one.filename() != "my"; });
+    return folders;
 }
 
 /// The folders that have lessons' folders, on the first level where there are any.

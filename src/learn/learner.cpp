@@ -46,15 +46,17 @@ std::string fingerprint_of(const Workspace& workspace, const Exercise& exercise)
     return fingerprint_of_headers(workspace.headers_of(exercise));
 }
 
-Learner::Learner(Workspace workspace, std::function<void(const std::string&)> say)
-    : workspace_(std::move(workspace)), say_(std::move(say)) {
+Learner::Learner(Workspace workspace, std::function<void(const std::string&)> say, bool is_isolated)
+    : workspace_(std::move(workspace)), say_(std::move(say)), is_isolated_(is_isolated) {
     std::string complaint;
     progress_ = read_progress(progress_file(), complaint);
     if (!complaint.empty()) say_(complaint);
 }
 
 const Toolchain& Learner::tools() {
-    if (!tools_) tools_ = toolchain(workspace_, say_);
+    if (tools_) return *tools_;
+    tools_ = toolchain(workspace_, say_);
+    if (is_isolated_) tools_ = isolated(*tools_, workspace_);
     return *tools_;
 }
 

@@ -30,8 +30,9 @@ struct Tested {
 /// A learner at work: where, and how far. What is remembered is written down at once.
 class Learner {
 public:
-    /// `say` is told what takes long, and what is wrong but need not stop anybody.
-    Learner(Workspace workspace, std::function<void(const std::string&)> say);
+    /// `say` is told what takes long, and what is wrong but need not stop anybody. What the learner wrote is compiled
+    /// and run isolated, if asked for.
+    Learner(Workspace workspace, std::function<void(const std::string&)> say, bool is_isolated = false);
 
     const Workspace& workspace() const { return workspace_; }
     const Toolchain& tools();
@@ -66,6 +67,7 @@ private:
 
     Workspace workspace_;
     std::function<void(const std::string&)> say_;
+    bool is_isolated_;
     Progress progress_;
     std::optional<Toolchain> tools_;
 };

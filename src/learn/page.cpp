@@ -214,7 +214,7 @@ std::string field(const std::string& text) {
 
 }  // namespace
 
-std::string to_html(const std::vector<LearnerStanding>& learners) {
+std::string to_html(const std::vector<LearnerStanding>& learners, const std::string& remark) {
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Glassbox: "
@@ -230,6 +230,7 @@ std::string to_html(const std::vector<LearnerStanding>& learners) {
         for (const auto& lesson : learners[k].lessons) html += section(lesson);
     }
     if (learners.size() > 1) html += html_table(learners);
+    if (!remark.empty()) html += fmt::format("<p class=\"faint\">{}</p>\n", escaped(remark));
     return html + "</body></html>\n";
 }
 

@@ -7,8 +7,9 @@
 namespace glassbox::learn {
 
 /// A page for a teacher, in HTML and without anything outside it: for each learner and lesson the functions, the first
-/// thing that is wrong, the pictures and their difference; for several learners a table at the end.
-std::string to_html(const std::vector<LearnerStanding>& learners);
+/// thing that is wrong, the pictures and their difference; for several learners a table at the end. `remark` is a
+/// sentence on how they were looked at.
+std::string to_html(const std::vector<LearnerStanding>& learners, const std::string& remark = "");
 
 /// The table alone, for a terminal: a row a learner, a column a lesson, ending in a newline.
 std::string to_table(const std::vector<LearnerStanding>& learners);

@@ -47,6 +47,9 @@ std::optional<CompileError> build(const Workspace& workspace, const Exercise& ex
 }  // namespace
 
 Image read_ppm(const fs::path& file) {
+    std::error_code none;
+    if (!fs::is_regular_file(fs::symlink_status(file, none)))
+        throw error_at({file.string()}, "there is no picture, or no plain file");
     std::ifstream in(file, std::ios::binary);
     std::string magic;
     int width = 0, height = 0, most = 0;
@@ -66,7 +69,7 @@ Image read_ppm(const fs::path& file) {
 LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                              const fs::path& headers, const fs::path& folder, const std::stop_token& stop) {
     const Making making{headers, folder / "picture.o", folder / "picture-program"};
-    const fs::path ppm = folder / "picture.ppm";
+    const fs::path ppm = folder / "picture-run" / "picture.ppm";
     LessonPicture picture;
     picture.error = build(workspace, exercise, tools, making, stop);
     if (picture.error && !stop.stop_requested())
@@ -77,14 +80,18 @@ LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercis
         });
     if (picture.error) return picture;
 
-    std::error_code none;
-    fs::remove(ppm, none);
     Command command{making.program, {ppm.string()}};
-    command.folder = folder;
+    command.folder = new_folder(ppm.parent_path());
     command.limits = {.time = 20s, .memory = std::uint64_t{1} << 30, .file = std::uint64_t{64} << 20};
+    if (tools.compiler.isolation) command.isolation = Isolation{{folder}, {command.folder}};
     const Outcome outcome = run(command, stop);
     picture.died = end_of(outcome);
-    if (picture.died.empty()) picture.image = read_ppm(ppm);
+    if (!picture.died.empty()) return picture;
+    try {
+        picture.image = read_ppm(ppm);
+    } catch (const Error& error) {
+        picture.died = error.what();
+    }
     return picture;
 }
 

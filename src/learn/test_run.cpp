@@ -108,14 +108,14 @@ public:
     }
 
 private:
+    /// It runs in a folder of its own: what it does there harms no program and no object.
     Report run(const std::stop_token& stop) const {
         const std::string nonce = random_text();
-        const fs::path report = file("report");
-        std::error_code none;
-        fs::remove(report, none);
+        const fs::path report = new_folder(file("run")) / fmt::format("{}-report", scalar_);
         Command command{file("program"), {report.string(), nonce}};
-        command.folder = request_.folder;
+        command.folder = report.parent_path();
         command.limits = {.time = request_.deadline, .memory = memory_of_a_test, .file = std::uint64_t{16} << 20};
+        if (tools_.compiler.isolation) command.isolation = Isolation{{request_.folder}, {command.folder}};
         const Outcome outcome = learn::run(command, stop);
         return read_report(content_of(report), nonce, outcome);
     }

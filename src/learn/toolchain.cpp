@@ -90,4 +90,13 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     return tools;
 }
 
+Toolchain isolated(Toolchain tools, const Workspace& workspace) {
+    const std::string why_not = why_not_isolated();
+    if (!why_not.empty()) throw Error("glassbox learn: error: " + why_not);
+    std::vector<fs::path> reads{tools.main.parent_path(), doctest_folder()};
+    for (const char* folder : {"src", "tests", "lessons"}) reads.push_back(workspace.root / folder);
+    tools.compiler = isolated(std::move(tools.compiler), std::move(reads));
+    return tools;
+}
+
 }  // namespace glassbox::learn

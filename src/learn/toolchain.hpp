@@ -19,6 +19,9 @@ struct Toolchain {
     std::string identity;                ///< what it was made of: a fingerprint
 };
 
+/// The same toolchain, for what strangers wrote: it is compiled and run isolated. Throws Error if that cannot be.
+Toolchain isolated(Toolchain tools, const Workspace& workspace);
+
 /// Gets the toolchain, or makes it, which takes some seconds; then `say` is told why it takes long. Throws Error.
 Toolchain toolchain(const Workspace& workspace, const std::function<void(const std::string&)>& say);
 

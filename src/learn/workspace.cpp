@@ -58,6 +58,12 @@ fs::path make_folder(const fs::path& folder) {
     return folder;
 }
 
+fs::path new_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::remove_all(folder, failed);
+    return make_folder(folder);
+}
+
 const Exercise& exercise_called(const Workspace& workspace, std::string_view name) {
     std::vector<std::string> names;
     for (const Exercise& exercise : workspace.exercises) {

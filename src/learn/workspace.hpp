@@ -17,8 +17,11 @@ struct Workspace {
     /// The folders of lessons, by the lesson's name, that are not called as their lesson is.
     std::map<std::string, std::filesystem::path> called_otherwise = {};
 
+    /// Where `learn` makes what it makes for itself, if not in the learner's folder.
+    std::filesystem::path hidden_elsewhere = {};
+
     /// What `learn` makes for itself.
-    std::filesystem::path hidden() const { return folder / ".glassbox"; }
+    std::filesystem::path hidden() const { return hidden_elsewhere.empty() ? folder / ".glassbox" : hidden_elsewhere; }
 
     /// The folder with the learner's headers of a lesson; it goes on the include path.
     std::filesystem::path headers_of(const Exercise& exercise) const {
@@ -45,6 +48,9 @@ const Exercise& exercise_called(const Workspace& workspace, std::string_view nam
 
 /// Makes a folder, and those that it lies in, unless it is there; returns it. Throws Error.
 std::filesystem::path make_folder(const std::filesystem::path& folder);
+
+/// The same, with nothing in it.
+std::filesystem::path new_folder(const std::filesystem::path& folder);
 
 /// Makes the learner's headers of a lesson from the starters, unless its folder is there. Returns whether it made it.
 bool make_starters(const Workspace& workspace, const Exercise& exercise);
