@@ -91,9 +91,9 @@ void watch(Lesson& lesson) {
     const std::string asked = lesson.request.lesson;
     while (!lesson.stop.stop_requested()) {
         const Exercise& exercise = lesson.learner.lesson(asked);
-        make_starters(lesson.learner.workspace(), exercise);
         Watch headers(lesson.learner.workspace().headers_of(exercise));  // before the test: no change is missed
         try {
+            if (make_starters(lesson.learner.workspace(), exercise)) continue;
             test(lesson, exercise);
         } catch (const Cancelled&) {
             break;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <fstream>
@@ -153,6 +154,43 @@ std::string first_line_with(const std::string& text, std::string_view part) {
     return "";
 }
 
+/// What a system says when it cannot write, in the C locale's words, and what would help.
+struct Hindrance {
+    std::string_view words, remedy;
+    bool is_of_reading_too = false;  ///< a file to be read may meet with the same
+};
+constexpr std::string_view elsewhere = "name another folder with --folder, and for the compiler's own with TMPDIR";
+constexpr std::array hindrances{
+    Hindrance{"No space left on device", "free some space there, and where temporary files are made"},
+    Hindrance{"Disk quota exceeded", "delete some files of yours, or ask for more space"},
+    Hindrance{"Read-only file system", elsewhere},
+    Hindrance{"Input/output error", "look at that disk"},
+    Hindrance{"Permission denied", elsewhere, true},
+    Hindrance{"Operation not permitted", elsewhere, true},
+    Hindrance{"Too many open files", "close other programs", true},
+};
+
+/// Throws Error if a compiler or a linker complains that the system does not let it write. What it tells of a learner's
+/// line is not meant: that may have any words in it.
+void check_machine(const Outcome& outcome, const fs::path& mine, const fs::path& folder) {
+    if (outcome.well() || outcome.end == End::stopped) return;
+    for (const std::string_view line : lines_of(outcome.errors)) {
+        if (line.starts_with(' ')) continue;  // a line of source
+        const std::optional<Located> found = located(line);
+        if (found && lies_in(folder / found->place.file, mine)) continue;
+        for (const auto& [words, remedy, is_of_reading_too] : hindrances) {
+            const std::string_view said = line.substr(0, line.find_last_not_of("'.\r ") + 1);
+            const auto tells_of = [&](std::string_view what) { return line.find(what) != std::string_view::npos; };
+            if (!said.ends_with(words)) continue;
+            if (is_of_reading_too && !tells_of("creat") && !tells_of("writ") && !tells_of("output")) continue;
+            throw Error(
+                fmt::format("glassbox learn: error: the compiler cannot write what it makes: {} ({}); {}, and "
+                            "try again",
+                            words, found ? found->rest : std::string(line), remedy));
+        }
+    }
+}
+
 constexpr std::string_view what_to_do =
     "Run ./glassbox: it builds Glassbox anew, from its source as it is now. If it stays, please report it.";
 
@@ -287,6 +325,7 @@ std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileErro
 
 std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine, const fs::path& folder) {
     if (compilation.well()) return {};
+    check_machine(compilation, mine.folder, folder);
     std::vector<Diagnosed> errors = diagnosed(compilation.errors);
     if (compilation.end != End::exited || errors.empty()) {
         CompileError error = of_the_compiler_itself(compilation);
@@ -336,6 +375,7 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const OwnH
 
 std::optional<CompileError> link_error(const Outcome& linking) {
     if (linking.well()) return {};
+    check_machine(linking, {}, {});
     CompileError error;
     const std::string undefined = first_line_with(linking.errors, "undefined reference to ");
     const std::string twice = first_line_with(linking.errors, "multiple definition of ");

@@ -29,11 +29,12 @@ struct OwnHeaders {
 
 /// What went wrong in a compilation: of all errors the first that is in one of the learner's files; or the first that
 /// a line there has led to; or the first. A file of theirs in which something is not closed goes before what comes
-/// after it. `folder` is where the compiler ran. None if the compilation went well.
+/// after it. `folder` is where the compiler ran. None if the compilation went well. Throws Error if it was the machine
+/// that could not do it: its disk is full, or it may not write.
 std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine,
                                           const std::filesystem::path& folder);
 
-/// What went wrong when a program was linked.
+/// What went wrong when a program was linked. Throws Error in the same way.
 std::optional<CompileError> link_error(const Outcome& linking);
 
 /// An error with a learner's headers, told for what it is. Where it is in none of these, `with_ours` compiles the same

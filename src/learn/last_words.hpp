@@ -26,6 +26,7 @@ struct LastWords {
         left,            ///< exit was called before that
         threw,           ///< an exception that nobody caught: `text` is its what()
         crashed,         ///< the signal `signal`, with its si_code, and the address that it is about
+        cannot_write,    ///< it could not write what it had to say: the disk is full, say
         stack_overflow,  ///< the stack was used up, most likely by a function that calls itself without end
     };
     volatile std::uint32_t kind = none;

@@ -54,7 +54,7 @@ Learner::Learner(Workspace workspace, std::function<void(const std::string&)> sa
 }
 
 const Toolchain& Learner::tools() {
-    if (tools_) return *tools_;
+    if (tools_ && is_there(*tools_)) return *tools_;
     tools_ = toolchain(workspace_, say_);
     if (is_isolated_) tools_ = isolated(*tools_, workspace_);
     return *tools_;
@@ -84,6 +84,10 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
 
     Tested tested;
     tested.run = run_tests(workspace_, exercise, tools(), request, stop);
+    if (tested.run.error && !is_there(*tools_)) {  // taken away in the middle of it
+        make_folder(request.folder);
+        tested.run = run_tests(workspace_, exercise, tools(), request, stop);
+    }
     if (tested.run.stopped) return tested;
     tested.judgement = judged(exercise, tested.run);
     if (!tested.run.error && !tested.run.passed())

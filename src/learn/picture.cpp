@@ -86,7 +86,10 @@ LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercis
     if (tools.compiler.isolation) command.isolation = Isolation{{folder}, {command.folder}};
     const Outcome outcome = run(command, stop);
     picture.died = end_of(outcome);
-    if (!picture.died.empty()) return picture;
+    if (!picture.died.empty()) {
+        check_room(command.folder);
+        return picture;
+    }
     try {
         picture.image = read_ppm(ppm);
     } catch (const Error& error) {

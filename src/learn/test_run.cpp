@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <future>
 #include <random>
+#include <system_error>
 #include <thread>
 
 #include "learn/headers.hpp"
@@ -38,7 +40,9 @@ public:
     Lock(const fs::path& folder, const std::stop_token& stop)
         : descriptor_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
         if (descriptor_ < 0)
-            throw error_at({folder.string()}, "cannot write in this folder; name another one with --folder");
+            throw error_at({folder.string()},
+                           fmt::format("cannot write in this folder: {}; name another one with --folder",
+                                       std::generic_category().message(errno)));
         while (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && !stop.stop_requested())
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
@@ -117,6 +121,7 @@ private:
         command.limits = {.time = request_.deadline, .memory = memory_of_a_test, .file = std::uint64_t{16} << 20};
         if (tools_.compiler.isolation) command.isolation = Isolation{{request_.folder}, {command.folder}};
         const Outcome outcome = learn::run(command, stop);
+        if (outcome.last_words.kind == LastWords::cannot_write) check_room(command.folder);
         return read_report(content_of(report), nonce, outcome);
     }
 

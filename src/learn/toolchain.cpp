@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <future>
 
 #include "learn/compile_error.hpp"
@@ -67,11 +68,12 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     const std::string precompiled = tools.compiler.clang ? "prelude.pch" : "prelude.hpp.gch";
     tools.main = folder / "main.o";
     tools.picture_main = folder / "picture.o";
+    tools.prelude = folder / precompiled;
     tools.flags = test_flags;
-    for (const std::string& flag : beginning_with(tools.compiler, folder / precompiled)) tools.flags.push_back(flag);
-    std::error_code failed;
-    if (fs::is_regular_file(tools.main, failed) && fs::is_regular_file(folder / precompiled, failed)) return tools;
+    for (const std::string& flag : beginning_with(tools.compiler, tools.prelude)) tools.flags.push_back(flag);
+    if (is_there(tools)) return tools;
 
+    std::error_code failed;
     say("preparing the tests for your compiler: once, some seconds");
     // Whole or not at all: made under another name first.
     const fs::path making = workspace.hidden() / fmt::format("new-tools-{}", ::getpid());
@@ -85,9 +87,20 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     }
     fs::remove_all(folder, failed);  // an incomplete one
     fs::rename(making, folder, failed);
-    if (failed) fs::remove_all(making, failed);  // somebody else was quicker
+    if (failed) {
+        const std::string why = failed.message();
+        fs::remove_all(making, failed);
+        if (!is_there(tools))  // else somebody else was quicker
+            throw error_at({folder.string()}, fmt::format("cannot make this folder: {}", why));
+    }
     remove_old(workspace.hidden(), folder);
     return tools;
+}
+
+bool is_there(const Toolchain& tools) {
+    std::error_code none;
+    return std::ranges::all_of(std::array{tools.main, tools.picture_main, tools.prelude},
+                               [&](const fs::path& file) { return fs::is_regular_file(file, none); });
 }
 
 Toolchain isolated(Toolchain tools, const Workspace& workspace) {

@@ -16,8 +16,12 @@ struct Toolchain {
     std::vector<std::string> flags;      ///< for each test, those that begin with the precompiled prelude included
     std::filesystem::path main;          ///< the object with main() and the reporter
     std::filesystem::path picture_main;  ///< the object with the main() of a lesson's program
+    std::filesystem::path prelude;       ///< what the tests begin with, precompiled
     std::string identity;                ///< what it was made of: a fingerprint
 };
+
+/// Whether all of it is there: somebody may have cleaned up.
+bool is_there(const Toolchain& tools);
 
 /// The same toolchain, for what strangers wrote: it is compiled and run isolated. Throws Error if that cannot be.
 Toolchain isolated(Toolchain tools, const Workspace& workspace);

@@ -64,6 +64,13 @@ fs::path new_folder(const fs::path& folder) {
     return make_folder(folder);
 }
 
+void check_room(const fs::path& folder) {
+    const fs::path trial = folder / fmt::format("trial-{}", ::getpid());
+    write_text(trial, std::string(64 << 10, '\n'));
+    std::error_code none;
+    fs::remove(trial, none);
+}
+
 const Exercise& exercise_called(const Workspace& workspace, std::string_view name) {
     std::vector<std::string> names;
     for (const Exercise& exercise : workspace.exercises) {

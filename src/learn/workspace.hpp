@@ -52,6 +52,10 @@ std::filesystem::path make_folder(const std::filesystem::path& folder);
 /// The same, with nothing in it.
 std::filesystem::path new_folder(const std::filesystem::path& folder);
 
+/// Throws Error if nothing more can be written in a folder: the disk is full, say. To be asked when a program could not
+/// do its work there, and that may be why.
+void check_room(const std::filesystem::path& folder);
+
 /// Makes the learner's headers of a lesson from the starters, unless its folder is there. Returns whether it made it.
 bool make_starters(const Workspace& workspace, const Exercise& exercise);
 

@@ -48,7 +48,10 @@ void tell(std::string_view what, const std::string& members = "") {
     const std::string line = "{\"nonce\":" + in_json(nonce) + ",\"is\":" + in_json(what) + members + "}\n";
     for (std::string_view rest = line; !rest.empty();) {
         const ssize_t count = ::write(report, rest.data(), rest.size());
-        if (count <= 0) return;
+        if (count <= 0) {
+            glassbox::learn::last_words().kind = glassbox::learn::LastWords::cannot_write;
+            ::_exit(1);
+        }
         rest.remove_prefix(static_cast<std::size_t>(count));
     }
 }
