@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "learn/child.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -17,11 +18,11 @@ std::string in_mebibytes(std::uint64_t bytes) {
                                                       : fmt::format("{} MiB", mebibytes);
 }
 
-/// The last line with anything in it.
+/// The last line with anything in it, printable.
 std::string last_line(std::string_view text) {
     while (!text.empty() && std::strchr("\n\r ", text.back())) text.remove_suffix(1);
     const std::size_t start = text.rfind('\n');
-    return std::string(start == std::string_view::npos ? text : text.substr(start + 1));
+    return printable(start == std::string_view::npos ? text : text.substr(start + 1));
 }
 
 std::string after_colon(const std::string& line) { return line.empty() ? "" : ": " + line; }
@@ -40,7 +41,8 @@ std::string bad_memory(const LastWords& words) {
 
 std::string crash(const Outcome& outcome) {
     const LastWords& words = outcome.last_words;
-    if (words.kind == LastWords::threw) return fmt::format("it threw an exception that nobody caught: {}", words.text);
+    if (words.kind == LastWords::threw)
+        return fmt::format("it threw an exception that nobody caught: {}", printable(words.text));
     if (words.kind == LastWords::stack_overflow)
         return "its stack overflowed: a function that calls itself without end?";
     switch (outcome.status) {

@@ -15,6 +15,7 @@
 #include "learn/headers.hpp"
 #include "learn/plain_words.hpp"
 #include "learn/unclosed.hpp"
+#include "scene/printable.hpp"
 #include "scene/suggestion.hpp"
 
 namespace glassbox::learn {
@@ -410,12 +411,13 @@ Error error_in_ours(const Outcome& compilation, const fs::path& source) {
 }
 
 std::string with_caret(const CompileError& error) {
+    const std::string before = printable_lines(std::string_view(error.source).substr(0, error.place.column - 1));
     std::string caret;
-    for (std::size_t i = 0; i + 1 < error.place.column && i < error.source.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(error.source[i]);
+    for (const char c : error.place.column == 0 ? "" : before) {
+        const auto byte = static_cast<unsigned char>(c);
         if ((byte & 0xC0u) != 0x80u) caret += byte == '\t' ? '\t' : ' ';  // a character of many bytes is one wide
     }
-    return error.source + '\n' + caret + '^';
+    return printable_lines(error.source) + '\n' + caret + '^';
 }
 
 }  // namespace glassbox::learn

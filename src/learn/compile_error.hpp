@@ -46,7 +46,8 @@ CompileError with_its_cause(CompileError error, const std::function<std::optiona
 /// what was to be compiled.
 Error error_in_ours(const Outcome& compilation, const std::filesystem::path& source);
 
-/// The line of source with a caret under the column: two lines. A tab stays a tab, so that the caret stands right.
+/// The line of source with a caret under the column: two printable lines. A tab stays a tab, so that the caret stands
+/// right.
 std::string with_caret(const CompileError& error);
 
 }  // namespace glassbox::learn

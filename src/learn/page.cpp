@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "output/png.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox::learn {
 
@@ -240,7 +241,7 @@ std::string to_table(const std::vector<LearnerStanding>& learners) {
         for (const auto& lesson : learners.front().lessons)
             rows[0].push_back(fmt::format("{} {}", lesson.number, lesson.title));
     for (const auto& learner : learners) {
-        rows.push_back({learner.learner});
+        rows.push_back({printable(learner.learner)});
         for (const auto& lesson : learner.lessons) rows.back().push_back(cell(lesson));
     }
     std::vector<std::size_t> widths;

@@ -8,6 +8,7 @@
 
 #include "learn/test_run.hpp"
 #include "scene/error.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -20,7 +21,7 @@ constexpr int largest_side = 16384;
 /// The words for a program that wrote no picture.
 std::string end_of(const Outcome& outcome) {
     const std::string text = outcome.last_words.kind == LastWords::threw ? outcome.last_words.text : "";
-    if (!function_not_written(text).empty()) return text;
+    if (!function_not_written(text).empty()) return printable(text);
     std::string words = in_words(outcome);
     if (words.empty() && outcome.last_words.kind != LastWords::finished) words = "it ended before its work was done";
     return words;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "scene/printable.hpp"
 #include "scene/text_file.hpp"
 
 namespace glassbox::learn {
@@ -12,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line as JSON, with the nonce; null for anything else. What is not UTF-8 (in what an exception says) becomes '?'.
+/// A line as JSON, with the nonce; null for anything else. JSON has no bytes that are not UTF-8: each becomes '?'.
 Json parsed(std::string line, const std::string& nonce) {
     while (const auto bad = first_not_utf8(line)) line[*bad] = '?';
     Json json = Json::parse(line, nullptr, false);
@@ -20,9 +21,15 @@ Json parsed(std::string line, const std::string& nonce) {
     return ours ? json : Json();
 }
 
+/// What a learner's code put into its exceptions and numbers is printable from here on.
 Failure failure_from(const Json& json) {
     Failure failure;
-    const auto text = [&](const char* name) { return json.value(name, std::string()); };
+    const auto text = [&](const char* name) { return printable_lines(json.value(name, std::string())); };
+    const auto texts = [&](const char* name) {
+        auto all = json.value(name, std::vector<std::string>{});
+        for (std::string& one : all) one = printable_lines(one);
+        return all;
+    };
     failure.file = text("file");
     failure.line = json.value("line", std::size_t{0});
     failure.expression = text("expression");
@@ -30,8 +37,8 @@ Failure failure_from(const Json& json) {
     failure.got = text("got");
     failure.ulps = text("ulps");
     failure.threw = text("threw");
-    failure.contexts = json.value("contexts", std::vector<std::string>{});
-    failure.subcases = json.value("subcases", std::vector<std::string>{});
+    failure.contexts = texts("contexts");
+    failure.subcases = texts("subcases");
     failure.ray = json.value("ray", std::vector<double>{});
     failure.surface = json.value("surface", std::vector<double>{});
     if (failure.expected.empty() && failure.threw.empty() && (failure.got == "true" || failure.got == "false"))

@@ -8,6 +8,7 @@
 #include "explain/shell_word.hpp"
 #include "learn/function_line.hpp"
 #include "learn/headers.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -150,7 +151,7 @@ std::string ulps_text(const Failure& failure) {
 }
 
 std::string error_text(const CompileError& error, const Paint& paint) {
-    std::string where = shown(error.place.file);
+    std::string where = printable(shown(error.place.file));
     if (error.place.line > 0) where += fmt::format(":{}", error.place.line);
     if (error.place.column > 0) where += fmt::format(":{}", error.place.column);
     std::string text = error.place.file.empty()
@@ -160,8 +161,8 @@ std::string error_text(const CompileError& error, const Paint& paint) {
                                                                    : "this does not compile with your headers");
     if (!error.source.empty()) text += '\n' + indented(with_caret(error), "    ");
     text += '\n';
-    if (!error.plain.empty()) text += fmt::format("  {}\n", error.plain);
-    text += row("compiler", error.message, paint);
+    if (!error.plain.empty()) text += fmt::format("  {}\n", printable(error.plain));
+    text += row("compiler", printable(error.message), paint);
     if (error.others > 0)
         text += fmt::format("  {}\n",
                             paint.faint(fmt::format("and {}, most likely because of this one",

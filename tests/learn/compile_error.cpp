@@ -206,6 +206,20 @@ TEST_CASE("what is not closed in a header goes before what another file, or a la
     CHECK_FALSE(error("tests/checks.hpp:93:7: error: 'passed' was not declared in this scope\n").yours);
 }
 
+TEST_CASE("control characters of a learner's line do not reach the terminal, and the caret stays in its column") {
+    CompileError error;
+    error.source =
+        "\tint a\x1b[2J = \xC2\x9B"
+        "31m + \xE2\x80\xAE + \x9B"
+        "b;";
+    // Before b there are, after the tab, 'int a' 5, '?[2J' 4, ' = ' 3, '?31m' 4, ' + ' 3, '?', ' + ' 3 and '?': 24
+    // columns.
+    error.place.column = error.source.find('b') + 1;
+    CHECK(with_caret(error) == "\tint a?[2J = ?31m + ? + ?b;\n\t                        ^");
+    error.place.column = 0;
+    CHECK(with_caret(error).ends_with("\n^"));
+}
+
 TEST_CASE("an error in the tests is said to be about the headers") {
     const Project project;
     const CompileError error = project.error("tests/stage.cpp:7:3: error: some complaint that has no plain words\n");
@@ -261,6 +275,39 @@ TEST_CASE("names that are nearly right are suggested from the file itself; heade
           "sphere.hpp belongs to lesson 2-spheres; this lesson does without it: take the include away.");
     CHECK(project.error("my/1-rays/vec3.hpp:1:1: fatal error: 'spheer.hpp' file not found\n").plain ==
           "There is no header spheer.hpp; did you mean 'sphere.hpp'?");
+}
+
+TEST_CASE("what the machine does not allow is told as such, by g++, clang++ and the linker, and nobody is blamed") {
+    const Project project;
+    const auto refusal = [&](const std::string& errors) {
+        return test::message_of<Error>([&] { compile_error(said(errors), {project.mine}, project.folder.path); });
+    };
+    for (const char* full :
+         {"x.cpp:3:44: fatal error: cannot write PCH file: No space left on device\n",
+          "/usr/include/stdc-predef.h:1: fatal error: error writing to /tmp/a.s: No space left on device\n",
+          "fatal error: error in backend: IO failure on output stream: No space left on device\n"}) {
+        CHECK(refusal(full).find("cannot write what it makes: No space left on device (") != std::string::npos);
+        CHECK(refusal(full).find("free some space there") != std::string::npos);
+        CHECK(refusal(full).find("report") == std::string::npos);
+    }
+    CHECK(refusal("Assembler messages:\nFatal error: can't create a.o: Read-only file system\n").find("--folder") !=
+          std::string::npos);
+    CHECK(refusal("error: unable to open output file 'a.o': 'Permission denied'\n").find("TMPDIR") !=
+          std::string::npos);
+    CHECK(test::message_of<Error>([] {
+              link_error(said("/usr/bin/ld: final link failed: Disk quota exceeded\ncollect2: error: ld returned 1\n"));
+          }).find("delete some files of yours") != std::string::npos);
+    CHECK(test::message_of<Error>([&] {
+              throw error_in_ours(
+                  said("prelude.hpp:1:1: fatal error: cannot write PCH file: No space left on device\n"),
+                  "prelude.hpp");
+          }).find("free some space") != std::string::npos);
+    // A learner's own words, a line of source, and a header that may not be read are something else.
+    for (const char* other :
+         {"my/1-rays/vec3.hpp:2:2: error: #error it said: No space left on device\n",
+          "tests/stage.cpp:7:3: error: 'dot' was not declared\n    7 | a: No space left on device\n",
+          "tests/stage.cpp:7:3: fatal error: /root/x.hpp: Permission denied\n"})
+        CHECK(refusal(other) == "");
 }
 
 TEST_CASE("a compiler that comes to an end itself is told of, and so is a linker that misses a body") {

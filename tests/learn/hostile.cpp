@@ -250,6 +250,35 @@ TEST_CASE("a header that does not compile is told of once, at its first error, i
     }
 }
 
+TEST_CASE("what a learner writes commands no terminal: a line of source, an exception") {
+    const std::string commands =
+        "\x1b]0;mine\x07\x1b[2J\xC2\x9B"
+        "31m\x9B"
+        "1m\x7F\xE2\x80\xAE";
+    std::string throwing = victim().with_body("throw std::runtime_error(\"now: " + commands + "\");");
+    throwing.insert(throwing.find("#include"), "#include <stdexcept>\n");
+    throwing.erase(throwing.find("constexpr Real dot"), std::string("constexpr ").size());
+    for (const std::string& text : {throwing, victim().with_body("return nothing; /* now: " + commands + " */")}) {
+        const std::string told = victim().told(text);
+        check_has(told, "now: ?]0;mine??[2J?31m?1m??");
+        for (const char* part : {"\x1b", "\x07", "\xC2\x9B", "\x9B", "\x7F", "\xE2\x80\xAE"})
+            CHECK(told.find(part) == std::string::npos);
+    }
+}
+
+TEST_CASE("what is taken away while one works is made anew") {
+    make_starters(victim().workspace(), victim().exercise());
+    reset(victim().workspace(), victim().exercise());
+    const auto not_written = [] {
+        return victim().learner().test(victim().exercise()).judgement.shown->failure->not_written();
+    };
+    CHECK(not_written() == "dot");
+    fs::remove_all(victim().workspace().hidden());
+    CHECK(not_written() == "dot");
+    fs::remove_all(victim().learner().tools().main.parent_path());
+    CHECK(not_written() == "dot");
+}
+
 TEST_CASE("a header that is not there, or is no file, is refused with a way out") {
     make_starters(victim().workspace(), victim().exercise());
     const fs::path header = victim().header();

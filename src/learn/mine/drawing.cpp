@@ -8,6 +8,7 @@
 
 #include "learn/shared_memory.hpp"
 #include "render/render.hpp"
+#include "scene/printable.hpp"
 
 namespace glassbox::learn::mine {
 namespace {
@@ -176,7 +177,7 @@ Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Opti
 
 std::string in_words(const Drawn& drawn) {
     const Outcome& outcome = drawn.outcome;
-    if (drawn.not_written) return outcome.last_words.text;
+    if (drawn.not_written) return printable(outcome.last_words.text);
     if (outcome.well() && drawn.at == Stage::done) return "";
     const std::string what = in_words(outcome);
     if (what.empty()) return where(drawn) + "it ended before the picture was done";
