@@ -1,6 +1,8 @@
 #include "learn/grade.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -46,6 +48,23 @@ std::string why_unusable(const Workspace& workspace, const Exercise& exercise) {
         return error.what();
     }
     return "";
+}
+
+/// Throws Error if a learner's headers can only be read by the powers of root, which what runs isolated has not: told
+/// to be unreadable by the compiler, they would look like the learner's fault.
+void check_readable(const Workspace& workspace, const Exercise& exercise) {
+    const auto is_open = [](const fs::path& path, mode_t bits) {
+        struct stat found {};
+        return ::stat(path.c_str(), &found) != 0 || found.st_uid == 0 || (found.st_mode & bits) == bits;
+    };
+    if (::geteuid() != 0) return;
+    for (const std::string& header : exercise.headers) {
+        const fs::path path = workspace.header(exercise, header);
+        if (!is_open(path, S_IROTH) || !is_open(path.parent_path(), S_IXOTH))
+            throw error_at({shown(path)}, fmt::format("only its owner may read this; let others read it, too: chmod -R "
+                                                      "a+rX {}",
+                                                      shown(workspace.folder)));
+    }
 }
 
 /// What the learner's folder remembers, read from a copy: reading sets aside what is unreadable.
@@ -101,6 +120,7 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
         return lesson;
     }
 
+    if (tools_.compiler.isolation) check_readable(learner, exercise);
     const TestRun run = run_tests(learner, exercise, tools_, {learner.headers_of(exercise), folder}, stop);
     const Judgement judgement = judged(exercise, run);
     for (std::size_t k = 0; k < lesson.functions.size(); ++k) {
