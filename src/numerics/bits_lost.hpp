@@ -1,23 +1,32 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "numerics/exact.hpp"
+#include "numerics/tape.hpp"
 
 namespace glassbox {
 
-/// How many of a number's last bits are not those of the true one: log2(ulps + 1), with ulps the distance between the
-/// two in units in the last place of the computed one. 0 where it is the true number itself, 1 for one ulp.
+/// How many of a finite number's last bits are lost if it is so far off: log2(ulps + 1), with ulps the distance in
+/// units in the last place of the number. 0 where it is not off at all, 1 for one ulp.
+inline double bits_lost(long double number, const Dyadic::Long& distance, const Precision& precision) {
+    int exponent = precision.min_exponent;
+    if (number != 0) std::frexp(number, &exponent);
+    const int last_place = std::max(exponent, precision.min_exponent) - precision.digits;
+    return std::log2(static_cast<double>(Dyadic::Long(ldexp(distance, -last_place))) + 1);
+}
+
+/// |number − truth|, the number finite.
+inline Dyadic::Long distance(long double number, const Exact& truth) {
+    return abs((truth - Exact::from(number)).to_long());
+}
+
+/// How many of a number's last bits are not those of the true one.
 template <class Real>
 double bits_lost(Real computed, const Exact& truth) {
     if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
-    const Real size = std::abs(computed);
-    const Real ulp = std::nextafter(size, std::numeric_limits<Real>::infinity()) - size;
-    const auto head = static_cast<double>(computed);  // a long double is the sum of two doubles
-    const auto tail = static_cast<double>(computed - static_cast<Real>(head));
-    const Exact distance = Exact(head) + Exact(tail) - truth;
-    const auto ulps = static_cast<double>(abs(distance.to_long()) / Dyadic::Long(ulp));
-    return std::log2(ulps + 1);
+    return bits_lost(computed, distance(computed, truth), Precision::of<Real>());
 }
 
 }  // namespace glassbox

@@ -16,8 +16,9 @@ public:
                                                std::allocator<boost::multiprecision::limb_type>>,
         boost::multiprecision::et_off>;
     /// A binary float long enough that what it adds to a rounding to double cannot be seen.
+    static constexpr int long_bits = 320;
     using Long = boost::multiprecision::number<
-        boost::multiprecision::cpp_bin_float<320, boost::multiprecision::digit_base_2, void, std::int64_t>,
+        boost::multiprecision::cpp_bin_float<long_bits, boost::multiprecision::digit_base_2, void, std::int64_t>,
         boost::multiprecision::et_off>;
 
     Dyadic() = default;
@@ -30,6 +31,20 @@ public:
         const int zeros = std::countr_zero(static_cast<unsigned long long>(whole));
         mantissa_ = whole / (1LL << zeros);
         exponent_ = exponent - 53 + zeros;
+    }
+
+    /// A long double, which may have more bits than a double, or lie beyond all of them. It must be finite.
+    static Dyadic from(long double value) {
+        int exponent = 0;
+        long double rest = std::frexp(value, &exponent);
+        Dyadic result;
+        while (rest != 0) {
+            const auto head = static_cast<double>(rest);
+            result = result + Dyadic(head);
+            rest -= static_cast<long double>(head);
+        }
+        if (result.sign() != 0) result.exponent_ += exponent;
+        return result;
     }
 
     int sign() const { return mantissa_.sign(); }

@@ -18,6 +18,7 @@ public:
     Exact() = default;
     /// `value` must be finite.
     explicit Exact(double value) : p_(value) {}
+    static Exact from(long double value) { return {Dyadic::from(value), {}, {}}; }
 
     int sign() const { return root_ ? sign_of(p_, root_->q, root_->d) : p_.sign(); }
 

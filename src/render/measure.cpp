@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "render/judge.hpp"
@@ -35,7 +36,8 @@ PixelNumbers& numbers_of(WithTriangles& probe) { return probe.numbers; }
 
 /// How far apart two views let the rays of a pixel start.
 double drift(const View& one, const View& other, int x, int y, int height) {
-    return length(pixel_ray(one, x, y, height).P - pixel_ray(other, x, y, height).P);
+    const auto [dx, dy, dz] = pixel_ray(one, x, y, height).P - pixel_ray(other, x, y, height).P;
+    return std::hypot(dx, dy, dz);  // whose squares neither overflow nor underflow
 }
 
 /// What all of them need together.

@@ -4,10 +4,14 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
+#include "numerics/bits_lost.hpp"
 #include "render/render.hpp"
+#include "render/triangle_numbers.hpp"
 #include "scene/scene_file.hpp"
 #include "support/ulps.hpp"
 
@@ -166,6 +170,182 @@ TEST_CASE("drift: none without turns; 36 turns of 10 degrees leave some, and no 
     const double drift = value(paper, "drift", 0, 0, options);
     CHECK(drift > 0);
     CHECK(drift < 36 * 8 * 707 * 0x1p-52);  // 36 steps, a few roundings each, of coordinates up to 707
+}
+
+namespace {
+
+/// A triangle and a direction in small whole numbers, whose side products are whole numbers, too.
+struct WholeTriangle {
+    std::array<std::array<int, 3>, 4> corners{};  // A, B, C, D
+
+    explicit WholeTriangle(std::mt19937_64& random) {
+        for (auto& corner : corners)
+            for (int& coordinate : corner) coordinate = static_cast<int>(random() % 17) - 8;
+    }
+
+    template <class Real>
+    Vec3<Real> corner(std::size_t i, int exponent) const {
+        const auto [x, y, z] = corners[i];
+        const auto scaled = [&](int whole) { return std::ldexp(static_cast<Real>(whole), exponent); };
+        return {scaled(x), scaled(y), scaled(z)};
+    }
+
+    /// D·(Y × X), at most 8 · 6 · 64.
+    int side(std::size_t x, std::size_t y) const {
+        const auto &X = corners[x], &Y = corners[y], &D = corners[3];
+        return D[0] * (Y[1] * X[2] - Y[2] * X[1]) + D[1] * (Y[2] * X[0] - Y[0] * X[2]) +
+               D[2] * (Y[0] * X[1] - Y[1] * X[0]);
+    }
+};
+
+template <class Number>
+bool are_of_one_sign(Number a, Number b, Number c) {
+    const bool none_below = a >= 0 && b >= 0 && c >= 0, none_above = a <= 0 && b <= 0 && c <= 0;
+    return none_below != none_above;
+}
+
+/// What is measured of it when all lengths are 2^exponent times as large.
+template <class Real>
+TriangleNumbers measured_at(const WholeTriangle& triangle, int exponent) {
+    TriangleNumbers numbers;
+    numbers.take(Triangle<Real>{triangle.corner<Real>(0, exponent), triangle.corner<Real>(1, exponent),
+                                triangle.corner<Real>(2, exponent)},
+                 triangle.corner<Real>(3, 0));
+    return numbers;
+}
+
+/// Whether the scalar says hit where whole numbers say miss, or the other way round.
+template <class Real>
+bool is_wrong(const WholeTriangle& triangle, int exponent) {
+    const Vec3<Real> D = triangle.corner<Real>(3, 0);
+    const auto s = sides(D, Triangle<Real>{triangle.corner<Real>(0, exponent), triangle.corner<Real>(1, exponent),
+                                           triangle.corner<Real>(2, exponent)});
+    return are_of_one_sign(s.a, s.b, s.c) !=
+           are_of_one_sign(triangle.side(1, 2), triangle.side(2, 0), triangle.side(0, 1));
+}
+
+}  // namespace
+
+// Coordinates of at most 8 · 2^e, side products of at least 2^2e: float's least number is 2^-149, so from e = -75 on
+// down products of two are rounded to multiples of it, and signs get lost. So with doubles, from 2^-537 = 2e-162 on.
+TEST_CASE_TEMPLATE("margin: above 0 no sign is wrong, however small or large the numbers", Real, float, double,
+                   long double) {
+    std::mt19937_64 random(1208);
+    constexpr int least = std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits;
+    constexpr int most = std::numeric_limits<Real>::max_exponent - 5;
+    int wrong = 0, by_underflow = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const WholeTriangle triangle(random);
+        const double whole = measured_at<Real>(triangle, 0).margin;
+        for (const int exponent : {least, least / 2 - 3, least / 2 - 2, least / 2 - 1, least / 2, least / 2 + 1, -10,
+                                   10, most / 3, most / 2, most}) {
+            const TriangleNumbers numbers = measured_at<Real>(triangle, exponent);
+            REQUIRE_FALSE(std::isnan(numbers.margin));
+            // A product that is off by less than itself is less than twice what it should be.
+            REQUIRE(numbers.margin <= std::max(whole, 0.0) + std::log10(2.0));
+            if (exponent == 10 || exponent == -10 || exponent == most / 3)
+                REQUIRE(numbers.margin == whole);  // a power of two changes no digit
+            if (!is_wrong<Real>(triangle, exponent)) continue;
+            ++wrong;
+            by_underflow += exponent < 0;
+            REQUIRE(numbers.margin <= 0);
+        }
+    }
+    CHECK(wrong > 1000);
+    CHECK(by_underflow > 1000);
+}
+
+// a+b+c and −D·((B−A)×(C−A)) are four side products. Of whole numbers nothing is rounded but what underflows, by less
+// than η(3/2 + |D|₁) in each; the unit is at least 3/8 η(2 + |D|₁) then: 4 · 8/3 of them at most, and in most cases
+// less.
+TEST_CASE_TEMPLATE("identity: a few units, of small numbers, too; side: from -1 to 1", Real, float, double) {
+    std::mt19937_64 random(1209);
+    constexpr int least = std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits;
+    double largest = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const WholeTriangle triangle(random);
+        for (const int exponent : {least, least / 2 - 3, least / 2 - 1, least / 2, 0, 10}) {
+            const TriangleNumbers numbers = measured_at<Real>(triangle, exponent);
+            REQUIRE(numbers.identity <= 32 / 3.0);
+            if (exponent >= 0) REQUIRE(numbers.identity == 0);
+            largest = std::max(largest, numbers.identity);
+            if (exponent >= 0) REQUIRE(std::abs(numbers.side) <= 1);
+        }
+    }
+    CHECK(largest > 0);
+}
+
+TEST_CASE("numbers too large for the scalar: the margin decides nothing, the others have no value") {
+    TriangleNumbers numbers;
+    numbers.take(Triangle<double>{{1e110, 0, 1}, {0, 1e110, 2}, {-1e110, -1e110, 3}}, {1e110, 1e110, -1e110});
+    CHECK(numbers.tested);
+    CHECK(numbers.margin == -std::numeric_limits<double>::infinity());
+    CHECK(std::isnan(numbers.identity));
+    CHECK(std::isnan(numbers.deficit));
+    // Long double holds them: a is D·(C × B) = 1e330 · …, its terms' sizes are at most some times as much.
+    if (std::numeric_limits<long double>::max_exponent < 2000) return;
+    TriangleNumbers in_long_double;
+    in_long_double.take(convert<long double>(Triangle<double>{{1e110, 0, 1}, {0, 1e110, 2}, {-1e110, -1e110, 3}}),
+                        Vec3<long double>{1e110L, 1e110L, -1e110L});
+    CHECK(in_long_double.margin > 10);
+    CHECK(std::isfinite(in_long_double.identity));
+    CHECK_FALSE(std::isnan(in_long_double.deficit));
+}
+
+// Rays down from z = 4·2^-76 on the triangle; the same picture 2^76 times as large has no wrong pixel.
+TEST_CASE("margin and verdict of a picture in float, of coordinates k · 2^-76") {
+    std::mt19937_64 random(1210);
+    Options options;
+    options.scalar = Scalar::float_;
+    const Measurement* const wanted[] = {find_measurement("verdict"), find_measurement("margin")};
+    int wrong = 0;
+    for (int i = 0; i < 200; ++i) {
+        const auto coordinate = [&] { return std::ldexp(static_cast<double>(random() % 9) - 4, -76); };
+        const auto corner = [&] {
+            const double x = coordinate(), y = coordinate();
+            return Vec3<double>{x, y, 0};
+        };
+        Scene scene;
+        scene.width = scene.height = 9;
+        const double unit = 0x1p-76;
+        scene.view = ParallelView{{-4 * unit, -4 * unit, 4 * unit}, {unit, 0, 0}, {0, unit, 0}, {0, 0, -1}};
+        const Vec3<double> A = corner(), B = corner(), C = corner();
+        scene.triangles = {{{A, B, C}, {1, 2, 3}}};
+        const auto planes = measure(scene, options, wanted);
+        const std::vector<double>&verdict = planes[0][0].values, &margin = planes[1][0].values;
+        for (std::size_t pixel = 0; pixel < verdict.size(); ++pixel) {
+            if (verdict[pixel] == 0) continue;
+            ++wrong;
+            REQUIRE(margin[pixel] <= 0);
+        }
+    }
+    CHECK(wrong > 100);
+}
+
+// 1e200 squared is no double, nor is 1e-200 squared but 0.
+TEST_CASE("drift: of large and of small scenes, too") {
+    for (const double size : {1e200, 1e-200}) {
+        Scene scene = paper;
+        scene.width = scene.height = 2;
+        scene.view = ParallelView{{5 * size, 3 * size, size}, {0, size, 0}, {0, 0, size}, {-1, 0, 0}};
+        Options options;
+        options.turns.assign(36, {Axis::z, 10});
+        const Measurement* const wanted = find_measurement("drift");
+        const double drift = measure(scene, options, {&wanted, 1})[0][0].values[0];
+        CHECK(drift > 0);
+        CHECK(drift < 36 * 8 * 7 * size * 0x1p-52);
+    }
+}
+
+// A long double beyond all doubles has bits to lose, too; and a number that is its truth has lost none.
+TEST_CASE("bits-lost of the largest numbers") {
+    CHECK(bits_lost(std::numeric_limits<double>::max(), Exact(std::numeric_limits<double>::max())) == 0);
+    CHECK(bits_lost(std::numeric_limits<double>::max(), Exact(std::nextafter(std::numeric_limits<double>::max(), 0))) ==
+          1);  // one ulp
+    if (std::numeric_limits<long double>::max_exponent < 2000) return;
+    const Exact large = Exact(0x1p1000) * Exact(0x1p1000);
+    CHECK(bits_lost(std::ldexp(1.0L, 2000), large) == 0);
+    CHECK(bits_lost(std::nextafter(std::ldexp(1.0L, 2000), HUGE_VALL), large) == 1);
 }
 
 TEST_CASE("every measurement has a name, an explanation and its planes' names") {
