@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "cli/typed.hpp"
 #include "output/output_file.hpp"
 #include "render/render.hpp"
-#include "render/why_no_value.hpp"
 
 namespace glassbox {
 
@@ -42,17 +40,12 @@ std::string list() {
     return lines + "\n\nExample: glassbox measure room --what depth,n.l -o room-depth.png";
 }
 
-bool has_value(const Measured& measured) {
-    const std::vector<double>& values = measured.planes.front().values;
-    return !std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
-}
-
 /// "n.h (phong has no half vector)" for each measurement without a value at any pixel.
-std::vector<std::string> without_value(const std::vector<Measured>& all, ShadingModel model, const Options& options) {
+std::vector<std::string> without_value(const std::vector<Measured>& all) {
     std::vector<std::string> names;
     for (const Measured& measured : all)
-        if (!has_value(measured))
-            names.push_back(fmt::format("{} ({})", measured.what->name, why_no_value(*measured.what, model, options)));
+        if (const std::string& why = measured.planes.front().why_no_value; !why.empty())
+            names.push_back(fmt::format("{} ({})", measured.what->name, why));
     return names;
 }
 
@@ -67,7 +60,7 @@ void run(const CLI::App& command, const MeasureRequest& request, Session& sessio
     }();
     std::vector<Measured> measured;
     for (std::size_t i = 0; i < planes.size(); ++i) measured.push_back({request.wanted[i], planes[i]});
-    note(command, "no value at any pixel", without_value(measured, scene.shading.model, request.options));
+    note(command, "no value at any pixel", without_value(measured));
     write_measurements(request.out, measured, session.interrupt.token());
 }
 

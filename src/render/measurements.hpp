@@ -16,6 +16,19 @@ enum class Scale {
     direction,   ///< three components from -1 to 1, shown as red, green, blue
 };
 
+/// What tells a measurement its values.
+enum class Source {
+    ray,          ///< every ray has one
+    hit,          ///< what the ray meets first
+    light,        ///< the shading there
+    half_vector,  ///< that of the shading
+    spheres,      ///< the tests of spheres
+    sides,        ///< the side products of triangles
+    proof,        ///< a search that proves its answers
+    true_t,       ///< a comparison with the t that a proof finds at the same surface
+    boxes,        ///< the engine's walk
+};
+
 /// What it takes to measure something, beyond listening to what is traced anyway.
 struct Needs {
     bool truth = false;      ///< what a certified search finds, to compare with
@@ -31,6 +44,7 @@ struct Measurement {
     std::string_view unit;         ///< "|D|"; empty for a pure number or a count
     std::string_view explanation;  ///< one line for a legend or a list
     Scale scale;
+    Source source;
     std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; otherwise that of its values
     std::span<const std::string_view> planes;            ///< the names of its components: itself, or x, y and z
     std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has planes

@@ -28,6 +28,7 @@ struct PixelNumbers {
     double n_l = no_value, n_h = no_value, n_v = no_value;
     double ambient = no_value, diffuse = no_value, specular = no_value;
     double discriminant = no_value;  ///< the largest of all spheres tested
+    bool sphere_tested = false;      ///< there was one at all
     TriangleNumbers triangles;
     int exact_tests = 0;                 ///< surfaces that took exact arithmetic
     double undecided = no_value;         ///< the same, where the search is a proven one
@@ -94,6 +95,7 @@ struct PixelNumbers {
 
     template <class Real>
     void operator()(told::Discriminant, const Real& value) {
+        sphere_tested = true;
         const double now = static_cast<double>(value);
         if (now > discriminant || discriminant != discriminant) discriminant = now;  // passes over not a number
     }

@@ -14,6 +14,7 @@ struct Plane {
     int width = 0;
     int height = 0;
     std::vector<double> values;
+    std::string why_no_value = {};  ///< of all pixels: "no ray meets a surface"; empty where one has a value
 };
 
 }  // namespace glassbox

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "output/legend_number.hpp"
-#include "render/why_no_value.hpp"
 #include "viewer/ui/overlay/parts.hpp"
 
 namespace glassbox {
@@ -175,10 +174,8 @@ void draw_legend(const Frame& frame) {
     const Summary& summary = distributions.front().summary;
     const bool any = summary.any_finite() || summary.negative_infinite + summary.positive_infinite > 0;
     if (!any && summary.missing > 0) {
-        const Setup& setup = state.setup.now();
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.warning);
-        ImGui::TextWrapped("No pixel has a value (%s).",
-                           why_no_value(what, setup.shading.model, setup.options).c_str());
+        ImGui::TextWrapped("No pixel has a value (%s).", measured->planes.front().why_no_value.c_str());
         ImGui::PopStyleColor();
         return;
     }
