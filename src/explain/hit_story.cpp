@@ -168,7 +168,7 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
     hit.t_by_exact = at_hit.t_by_exact;
     if (hit.t_by_exact && detail == Detail::whole)
         if (const std::optional<Exact> truth = exact_crossing(verdict.ray, shape, rule))
-            hit.t = checked(verdict.nearest->t, truth->to_bounded());
+            hit.t = checked(verdict.nearest->t, *truth);
     hit.point = look(point);
     hit.normal = look(n);
     if (shade) hit.shade = shade_story(scene, look, heard, *shade, own);

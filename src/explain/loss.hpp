@@ -1,18 +1,20 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "explain/story.hpp"
 
 namespace glassbox {
 
-/// How many bits an operation lost beyond those that its operands had lost; 0 for inputs, comparisons, and where the
-/// truth is not known. `steps` are all of its tape.
+/// How many bits an operation lost beyond those that its operands had lost; 0 for inputs, comparisons, and where it is
+/// not known how many those are. `steps` are all of its tape.
 inline double bits_lost_by(std::span<const story::StoryStep> steps, const story::StoryStep& told) {
     const auto lost = [&](StepNumber operand) { return steps[operand].checked.bits_lost; };
     if (operands(told.step.operation) == 0 || !(told.checked.bits_lost > 0)) return 0;
-    const double before = std::max(lost(told.step.left), lost(told.step.right));
-    return std::max(0.0, told.checked.bits_lost - before);
+    const double left = lost(told.step.left), right = lost(told.step.right);
+    if (std::isnan(left) || std::isnan(right)) return 0;
+    return std::max(0.0, told.checked.bits_lost - std::max(left, right));
 }
 
 /// From how many bits on a sum's or difference's own loss is called a cancellation: a correctly rounded result of exact

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "numerics/bits_lost.hpp"
 #include "numerics/exact.hpp"
 
 namespace glassbox {
@@ -17,24 +18,69 @@ using Long = Dyadic::Long;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
+/// A number as a long float knows it: the true one is at most `error` away from `value`.
+struct LongNumber {
+    Long value, error;
+
+    /// An error that grew by the rounding of the result, and of itself.
+    static LongNumber rounded(const Long& value, const Long& error) {
+        const Long sum = error + ldexp(abs(value), -Dyadic::long_bits);
+        return {value, sum + ldexp(sum, 16 - Dyadic::long_bits)};
+    }
+
+    friend LongNumber operator-(const LongNumber& a) { return {-a.value, a.error}; }
+    friend LongNumber operator+(const LongNumber& a, const LongNumber& b) {
+        return rounded(a.value + b.value, a.error + b.error);
+    }
+    friend LongNumber operator-(const LongNumber& a, const LongNumber& b) { return a + -b; }
+    friend LongNumber operator*(const LongNumber& a, const LongNumber& b) {
+        return rounded(a.value * b.value, abs(a.value) * b.error + abs(b.value) * a.error + a.error * b.error);
+    }
+    /// b must be told apart from 0. |a/b − a'/b'| ≤ (|a − a'| + |a/b| |b − b'|) / |b'|.
+    friend LongNumber operator/(const LongNumber& a, const LongNumber& b) {
+        const LongNumber quotient = rounded(a.value / b.value, 0);
+        const Long size = abs(quotient.value) + quotient.error;
+        return rounded(quotient.value, (a.error + size * b.error) / (abs(b.value) - b.error) + quotient.error);
+    }
+    /// a must be surely positive. |√a − √a'| = |a − a'| / (√a + √a').
+    friend LongNumber sqrt(const LongNumber& a) {
+        const Long root = sqrt(a.value);
+        return rounded(root, a.error / root);
+    }
+    friend LongNumber abs(const LongNumber& a) { return {abs(a.value), a.error}; }
+
+    /// None where the error reaches 0.
+    std::optional<int> sign() const {
+        if (abs(value) > error) return value.sign();
+        return error == 0 ? std::optional(0) : std::nullopt;
+    }
+};
+
 /// A value without rounding: exact while it needs no more than one square root, then a long float.
 class True {
 public:
     static constexpr int no_root = -1;
 
     explicit True(Exact exact, int root = no_root) : exact_(std::move(exact)), root_(root) {}
-    explicit True(Long number) : long_(std::move(number)) {}
+    explicit True(LongNumber number) : long_(std::move(number)) {
+        if (long_.sign() == 0) exact_ = Exact();
+    }
 
     bool is_exact() const { return exact_.has_value(); }
     const Exact& exact() const { return *exact_; }
     int root() const { return root_; }
-    Long to_long() const { return exact_ ? exact_->to_long() : long_; }
-    int sign() const { return exact_ ? exact_->sign() : long_.sign(); }
+    LongNumber to_long() const {
+        if (!exact_) return long_;
+        const Long value = exact_->to_long();
+        return {value, ldexp(abs(value), 8 - Dyadic::long_bits)};  // within a few units of its last place
+    }
+    /// None where the bits of a long float do not tell it.
+    std::optional<int> sign() const { return exact_ ? exact_->sign() : long_.sign(); }
 
 private:
     std::optional<Exact> exact_;
     int root_ = no_root;  ///< the step that took the square root in it
-    Long long_;
+    LongNumber long_;
 };
 
 using MaybeTrue = std::optional<True>;
@@ -51,9 +97,10 @@ True combined(const True& a, const True& b, const Do& apply) {
     return True(apply(a.to_long(), b.to_long()));
 }
 
-int compared(const True& a, const True& b) {
+/// The sign of a − b, if it is told.
+std::optional<int> compared(const True& a, const True& b) {
     if (a.is_exact() && b.is_exact()) return compare(a.exact(), b.exact());
-    return a.to_long().compare(b.to_long());
+    return (a.to_long() - b.to_long()).sign();
 }
 
 bool holds(Operation comparison, int order) {
@@ -73,36 +120,46 @@ bool holds(Operation comparison, int order) {
     }
 }
 
-True root_of(const True& a, int step) {
+MaybeTrue truth_of(Operation comparison, std::optional<int> order) {
+    if (!order) return {};
+    return True(Exact(holds(comparison, *order) ? 1.0 : 0.0));
+}
+
+/// Of a number of 0 or more.
+MaybeTrue root_of(const True& a, int step) {
     if (a.is_exact() && a.root() == True::no_root) return True(sqrt(a.exact()), step);
+    if (a.sign() == 0) return a;
     return True(sqrt(a.to_long()));
+}
+
+/// How far at most a power of long floats is from the true one, as a part of it: logarithm and exponential are good to
+/// some hundred units in the last place, and the exponent enlarges what the logarithm is off.
+Long error_of_power(const Long& base, const Long& exponent) {
+    return ldexp(1 + abs(exponent) * (1 + abs(log(base))), 20 - Dyadic::long_bits);
+}
+
+/// For a base that is surely positive: with x' = x(1 + d), x'^y = x^y (1 + d)^y, and (1 + d)^y is within 2|y d| of 1
+/// where |y d| ≤ 1/2 and |d| ≤ 1/2.
+MaybeTrue power(const LongNumber& base, const LongNumber& exponent) {
+    const Long value = pow(base.value, exponent.value);
+    const Long d = base.error / (base.value - base.error), size = abs(exponent.value) + exponent.error;
+    const Long off = size * d + exponent.error * (1 + abs(log(base.value)));
+    if (!isfinite(value) || value == 0 || !(off < 0.25) || !(d < 0.5)) return {};
+    return True(LongNumber::rounded(value, value * (4 * off + error_of_power(base.value, exponent.value))));
 }
 
 /// For a base of 0 or more.
 MaybeTrue power(const True& base, const True& exponent) {
-    if (base.sign() < 0) return {};
-    if (base.sign() == 0 && exponent.sign() <= 0)
-        return exponent.sign() < 0 ? MaybeTrue{} : MaybeTrue(True(Exact(1.0)));
-    if (base.sign() == 0) return True(Exact(0.0));
-    return True(pow(base.to_long(), exponent.to_long()));
-}
-
-/// A finite number as the sum of doubles; nothing where it is beyond their range, as a long double may be.
-std::optional<Exact> exactly(long double number) {
-    Exact sum;
-    while (number != 0) {
-        const auto head = static_cast<double>(number);
-        if (head == 0 || !std::isfinite(head)) return {};
-        sum = sum + Exact(head);
-        number -= head;
-    }
-    return sum;
+    const std::optional<int> sign = base.sign(), exponents = exponent.sign();
+    if (!sign || *sign < 0 || !exponents) return {};
+    if (*exponents == 0) return True(Exact(1.0));
+    if (*sign == 0) return *exponents < 0 ? MaybeTrue{} : MaybeTrue(True(Exact(0.0)));
+    return power(base.to_long(), exponent.to_long());
 }
 
 MaybeTrue given(long double number) {
     if (!std::isfinite(number)) return {};
-    const std::optional<Exact> exact = exactly(number);
-    return exact ? True(*exact) : True(Long(number));
+    return True(Exact::from(number));
 }
 
 MaybeTrue truth_of(const Step& step, int number, const MaybeTrue& a, const MaybeTrue& b) {
@@ -118,19 +175,19 @@ MaybeTrue truth_of(const Step& step, int number, const MaybeTrue& a, const Maybe
         case Operation::multiply:
             return combined(*a, *b, [](const auto& x, const auto& y) { return x * y; });
         case Operation::divide:
-            if (b->sign() == 0) return {};
+            if (!b->sign() || *b->sign() == 0) return {};
             return combined(*a, *b, [](const auto& x, const auto& y) { return x / y; });
         case Operation::negate:
             return a->is_exact() ? True(-a->exact(), a->root()) : True(-a->to_long());
         case Operation::absolute:
             return a->is_exact() ? True(abs(a->exact()), a->root()) : True(abs(a->to_long()));
         case Operation::square_root:
-            if (a->sign() < 0) return {};
+            if (!a->sign() || *a->sign() < 0) return {};
             return root_of(*a, number);
         case Operation::power:
             return power(*a, *b);
         default:
-            return True(Exact(holds(step.operation, compared(*a, *b)) ? 1.0 : 0.0));
+            return truth_of(step.operation, compared(*a, *b));
     }
 }
 
@@ -140,7 +197,8 @@ Bounded power_within(double value, const Bounded& base, const Bounded& exponent)
         return {value, infinity};
     const auto at = [&](const Long& x) { return x.sign() > 0 ? Long(pow(x, Long(exponent.value))) : Long(0); };
     const Long most = at(Long(base.value) + base.error), least = at(Long(base.value) - base.error);
-    const Long off = std::max(Long(abs(most - value)), Long(abs(least - value))) + ldexp(abs(most), -290);
+    Long off = std::max(Long(abs(most - value)), Long(abs(least - value)));
+    if (most > 0) off += most * error_of_power(Long(base.value) + base.error, Long(exponent.value));
     return {value, Bounded::up(static_cast<double>(off)) + Bounded::underflow};
 }
 
@@ -208,47 +266,51 @@ double beyond_double(long double recorded) {
     return rest == 0 ? 0.0 : Bounded::up(static_cast<double>(rest)) + Bounded::underflow;
 }
 
-/// The exponent of a number's unit in the last place, a power of 2.
-int last_place(long double number, const Precision& precision) {
-    int exponent = precision.min_exponent;
-    if (number != 0) std::frexp(number, &exponent);
-    return std::max(exponent, precision.min_exponent) - precision.digits;
+double lost(long double number, const Long& distance, const Precision& precision) {
+    return std::min(bits_lost(number, distance, precision), double(precision.digits));
 }
 
-double bits(const Long& distance, long double number, const Precision& precision) {
-    if (distance == 0) return 0;
-    const auto ulps = static_cast<double>(Long(ldexp(distance, -last_place(number, precision))));
-    return std::min(std::log2(ulps + 1), double(precision.digits));
-}
-
-/// |truth − number|, the number finite.
+/// |truth − number|, the number finite; 0 where a long float does not tell it from that.
 Long distance_to(const True& truth, long double number) {
-    const std::optional<Exact> exact = truth.is_exact() ? exactly(number) : std::nullopt;
-    return exact ? abs((truth.exact() - *exact).to_long()) : Long(abs(truth.to_long() - Long(number)));
+    if (truth.is_exact()) return distance(number, truth.exact());
+    const LongNumber off = truth.to_long() - LongNumber{Long(number), 0};
+    return off.sign() ? Long(abs(off.value)) : Long(0);
 }
 
-Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth, const Precision& precision) {
-    Checked result{.value = static_cast<double>(step.value), .recorded = step.value, .error = bound.error};
-    const double beyond = beyond_double(step.value);
-    if (!(beyond == 0)) result.error = Bounded::up(bound.error + beyond);
-    if (!truth) {
-        result.known = Known::not_at_all;
-        result.truth = result.distance = result.bits_lost = not_a_number;
-        return result;
-    }
-    result.known = truth->is_exact() ? Known::exactly : Known::to_long_float;
-    result.sign = truth->sign();
-    result.truth = static_cast<double>(truth->to_long());
-    if (!std::isfinite(step.value)) {
+/// What became of a number whose error bound is known, without the bound.
+Checked checked(long double recorded, const True& truth, const Precision& precision) {
+    Checked result{.value = static_cast<double>(recorded), .recorded = recorded};
+    result.known = truth.is_exact() ? Known::exactly : Known::to_long_float;
+    const std::optional<int> sign = truth.sign();
+    result.sign = sign.value_or(0);
+    result.truth = sign ? static_cast<double>(truth.to_long().value) : 0.0;
+    if (!std::isfinite(recorded)) {
         result.distance = infinity;
         result.bits_lost = precision.digits;
         return result;
     }
-    const Long distance = distance_to(*truth, step.value);
+    const Long distance = distance_to(truth, recorded);
     result.distance = static_cast<double>(distance);
-    if (is_comparison(step.operation)) return result;
     // A truth too small for the scalar is lost whole, though its distance is less than a unit in the last place.
-    result.bits_lost = step.value == 0 && result.sign != 0 ? precision.digits : bits(distance, step.value, precision);
+    result.bits_lost = !sign                         ? not_a_number
+                       : recorded == 0 && *sign != 0 ? precision.digits
+                                                     : lost(recorded, distance, precision);
+    return result;
+}
+
+Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth, const Precision& precision) {
+    Checked result;
+    if (truth) result = checked(step.value, *truth, precision);
+    else
+        result = {.value = static_cast<double>(step.value),
+                  .recorded = step.value,
+                  .truth = not_a_number,
+                  .distance = not_a_number,
+                  .bits_lost = not_a_number,
+                  .known = Known::not_at_all};
+    if (truth && is_comparison(step.operation)) result.bits_lost = 0;
+    const double beyond = beyond_double(step.value);
+    result.error = beyond == 0 ? bound.error : Bounded::up(bound.error + beyond);
     return result;
 }
 
@@ -275,20 +337,11 @@ std::vector<Checked> replay(const Tape& tape) {
     return all;
 }
 
-Checked checked(double value, const Bounded& truth) {
-    const double off = std::abs(value - truth.value);
-    const double distance = off == 0 ? truth.error : off;
-    return {.value = value,
-            .recorded = value,
-            .error = Bounded::up(off + truth.error),
-            .truth = truth.value,
-            .distance = distance,
-            .bits_lost = std::isfinite(distance) ? bits(Long(distance), value, Precision::of<double>())
-                                                 : double(Precision::of<double>().digits),
-            .sign = truth.value > 0   ? 1
-                    : truth.value < 0 ? -1
-                                      : 0,
-            .known = Known::exactly};
+Checked checked(double value, const Exact& truth) {
+    Checked result = checked(static_cast<long double>(value), True(truth), Precision::of<double>());
+    if (result.distance == 0 && result.bits_lost == 0) return result;
+    result.error = Bounded::up(result.distance) + Bounded::underflow;
+    return result;
 }
 
 }  // namespace glassbox

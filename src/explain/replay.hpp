@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "numerics/bounded.hpp"
+#include "numerics/exact.hpp"
 #include "numerics/tape.hpp"
 
 namespace glassbox {
@@ -9,11 +9,15 @@ namespace glassbox {
 /// How well the true value of a step is known.
 enum class Known {
     exactly,        ///< in exact arithmetic: rationals with one square root
-    to_long_float,  ///< in binary floats of 320 bits: powers, and roots of roots
-    not_at_all,     ///< a division by 0, a root of a negative number, an input that is not finite
+    to_long_float,  ///< in binary floats of Dyadic::long_bits bits: powers, and roots of roots
+    not_at_all,  ///< a division by 0, a root of a negative number, an input that is not finite; or it hangs on a sign
+                 ///< that so many bits do not tell
 };
 
 /// A step looked at again: what it computed, a guaranteed bound, and what the same steps give without any rounding.
+///
+/// Long floats may leave open whether a truth is 0: then truth and sign are 0, and the lost bits not a number. What it
+/// is off is 0 where they do not tell the truth from the number.
 struct Checked {
     double value = 0;          ///< as recorded; a long double rounded to double
     long double recorded = 0;  ///< the same, to the last digit
@@ -35,7 +39,10 @@ inline Checked unchecked(long double recorded) {
 /// of a comparison is whether it truly holds; its error is 0 where the bounds decide it, else 1.
 std::vector<Checked> replay(const Tape& tape);
 
+/// Whether long floats leave open if the truth is 0.
+inline bool may_be_zero(const Checked& number) { return number.known == Known::to_long_float && number.sign == 0; }
+
 /// That of a double and a truth found elsewhere.
-Checked checked(double value, const Bounded& truth);
+Checked checked(double value, const Exact& truth);
 
 }  // namespace glassbox

@@ -120,7 +120,7 @@ TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, c
 
 /// The sign that decided: the true one where the renderer proves it, else that of the computed number.
 int deciding_sign(const Number& number, const Options& options) {
-    if (is_proven(options.scalar) && number.known != Known::not_at_all) return number.sign;
+    if (is_proven(options.scalar) && number.known != Known::not_at_all && !may_be_zero(number)) return number.sign;
     return number.recorded > 0 ? 1 : number.recorded < 0 ? -1 : 0;
 }
 
@@ -184,7 +184,7 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     const auto t = static_cast<double>(hit->t);
     if (!result.t || result.t->value != t) {
         const std::optional<Exact> truth = exact_crossing(ray, shape, rule);
-        result.t = truth ? checked(t, truth->to_bounded()) : unchecked(t);
+        result.t = truth ? checked(t, *truth) : unchecked(t);
         if (!truth) result.t->known = Known::not_at_all;
     }
     return result;

@@ -47,6 +47,7 @@ std::string_view word(Known known) {
         case Known::exactly:
             return "exact";
         case Known::to_long_float:
+            static_assert(Dyadic::long_bits == 320);
             return "320 bits";
         case Known::not_at_all:
             return "unknown";

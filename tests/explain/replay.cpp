@@ -68,6 +68,49 @@ TEST_CASE("one root is exact, a root of a root is a long float, and a division b
     CHECK(checked[square.step()].bits_lost > 50);
 }
 
+// (1 + √2)² = 3 + 2√2, so √(3 + 2√2) − (1 + √2) is 0; but that is a root of a root less a root, and long floats have
+// 320 bits. So 2^-200 beside it is seen, and 2^-330 is not.
+TEST_CASE("a cancellation to 0 that long floats cannot prove claims no value, no sign and no lost bits") {
+    Tape tape;
+    const auto input = [&](double value) { return Recorded<double>::input(tape, value, "x"); };
+    const Recorded<double> root = sqrt(input(2)), nothing = sqrt(3 + 2 * root) - (1 + root);
+    const Recorded<double> seen = nothing + 0x1p-200, unseen = nothing + 0x1p-330;
+    const Recorded<double> hangs_on_it = input(1) / nothing, product = nothing * 0.0, size = abs(nothing);
+    const Recorded<double> power = pow(size, 3.0);
+    const bool above = nothing > 0.0;
+    const auto comparison = static_cast<StepNumber>(tape.steps().size() - 1);
+    const std::vector<Checked> checked = replay(tape);
+    for (const Recorded<double>& number : {nothing, unseen, size}) {
+        const Checked& zero = checked[number.step()];
+        CHECK(zero.known == Known::to_long_float);
+        CHECK(may_be_zero(zero));
+        CHECK(zero.truth == 0);
+        CHECK(std::isnan(zero.bits_lost));
+        CHECK(zero.distance <= zero.error);
+    }
+    CHECK(checked[seen.step()].sign == 1);
+    CHECK_ULPS(checked[seen.step()].truth, 0x1p-200, 1.0);
+    for (const StepNumber step : {hangs_on_it.step(), power.step(), comparison})
+        CHECK(checked[step].known == Known::not_at_all);
+    CHECK(tape[comparison].value == above);
+    CHECK(checked[product.step()].known == Known::exactly);
+    CHECK(checked[product.step()].truth == 0);
+}
+
+TEST_CASE("a truth that long floats do not tell from the number has lost no bit") {
+    Tape tape;
+    const Recorded<double> nested =
+        sqrt(Recorded<double>::input(tape, 4, "4") * sqrt(Recorded<double>::input(tape, 16, "16")));
+    const std::vector<Checked> checked = replay(tape);
+    const Checked& four = checked[nested.step()];  // √(4 √16) = 4, by a root of a root
+    CHECK(four.value == 4);
+    CHECK(four.known == Known::to_long_float);
+    CHECK(four.sign == 1);
+    CHECK(four.truth == 4);
+    CHECK(four.distance == 0);
+    CHECK(four.bits_lost == 0);
+}
+
 TEST_CASE("powers: within bounds, whatever is not known of the base") {
     Tape tape;
     const Recorded<double> third = Recorded<double>::input(tape, 1, "1") / 3;
