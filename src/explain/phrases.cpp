@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "explain/words.hpp"
+#include "numerics/printed_bound.hpp"
 
 namespace glassbox {
 
@@ -24,16 +26,39 @@ std::string hex(long double value) {
     return rounded < value || rounded > value ? fmt::format("{:a}", value) : hex(rounded);
 }
 
-std::string bound(double error) {
-    if (error == 0) return "exact";
-    return std::isfinite(error) ? fmt::format("± {:.1e}", error) : "± unknown";
+namespace {
+
+bool has_bound(const Number& n) { return std::isfinite(n.value) && std::isfinite(n.error); }
+
+}  // namespace
+
+WithBound with_bound(const Number& n) {
+    std::string value = has_bound(n) ? value_beside(n.value, n.error) : short_number(n.value);
+    std::string its_bound = bound(value, n);
+    return {std::move(value), std::move(its_bound)};
 }
 
-std::string lost(double bits) { return bits == 0 ? "no bits lost" : fmt::format("{:.1f} bits lost", bits); }
+std::string bound(std::string_view printed, const Number& n, int digits) {
+    if (!has_bound(n)) return "± unknown";
+    const std::string error = bound_beside(printed, n.value, n.error, digits);
+    if (error == "0") return "exact";
+    return n.error == 0 && shortest(n.value) == Decimal(printed).text() ? "exact as a double" : "± " + error;
+}
 
-std::string_view sign(const Number& n) {
+std::string truth(const Number& n) {
     if (n.known == Known::not_at_all) return "unknown";
-    return n.sign > 0 ? "> 0" : n.sign < 0 ? "< 0" : "= 0";
+    return may_be_zero(n) ? fmt::format("0, as far as {} bits tell", Dyadic::long_bits)
+                          : fmt::format("{:.17g}", n.truth);
+}
+
+std::string lost(const Number& n) {
+    if (std::isnan(n.bits_lost)) return "truly " + truth(n);
+    return n.bits_lost == 0 ? "no bits lost" : fmt::format("{:.1f} bits lost", n.bits_lost);
+}
+
+std::string sign_and_lost(const Number& n) {
+    if (std::isnan(n.bits_lost)) return lost(n);
+    return fmt::format("truly {}, {}", n.sign > 0 ? "> 0" : n.sign < 0 ? "< 0" : "= 0", lost(n));
 }
 
 std::string why(const Surface& surface, const Story& story) {

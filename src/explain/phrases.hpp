@@ -22,14 +22,26 @@ std::string triple(Rgb color);
 std::string hex(double value);
 std::string hex(long double value);
 
-/// "± 3.1e-10"; "exact"; "± unknown".
-std::string bound(double error);
+/// A number and its bound as they are printed side by side. The prints themselves keep |value − truth| ≤ bound.
+struct WithBound {
+    std::string value, bound;
+};
 
-/// "1.6 bits lost"; "no bits lost".
-std::string lost(double bits);
+/// With the digits that the bound deserves: "0.28388916" and "± 2.7e-07"; "350" and "exact"; "350" and "± unknown".
+WithBound with_bound(const story::Number& number);
 
-/// Of the truth: "> 0", "< 0", "= 0", "unknown".
-std::string_view sign(const story::Number& number);
+/// The bound beside a value that was printed in another way, rounded up to so many digits: "± 3.1e-10"; "exact", "exact
+/// as a double" where only the double is, and not the decimal; "± unknown".
+std::string bound(std::string_view printed, const story::Number& number, int digits = 2);
+
+/// The truth, rounded once, with all its digits: "0.1"; "unknown"; "0, as far as 320 bits tell".
+std::string truth(const story::Number& number);
+
+/// "1.6 bits lost"; "no bits lost"; where that is not known: "truly unknown", "truly 0, as far as 320 bits tell".
+std::string lost(const story::Number& number);
+
+/// The same, with the sign of the truth before it: "truly > 0, 1.6 bits lost".
+std::string sign_and_lost(const story::Number& number);
 
 /// Why a surface was met, or not: "missed: side products of both signs, the line passes outside".
 std::string why(const story::Surface& surface, const Story& story);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <string_view>
 
@@ -19,7 +20,10 @@ namespace {
 using namespace story;
 
 /// "2500 ± 3.1e-10"; "350 exact".
-std::string bounded(const Number& n) { return short_number(n.value) + ' ' + bound(n.error); }
+std::string bounded(const Number& n) {
+    const auto [value, its_bound] = with_bound(n);
+    return value + ' ' + its_bound;
+}
 
 /// Writes lines, each section under its heading.
 class Page {
@@ -74,10 +78,9 @@ void tell_surfaces(Page& page, const Story& story) {
 }
 
 void tell_roots(Page& page, std::string_view rule, const RootPair& roots) {
-    page.line("       {:<9} Δ  = {:<27} truly {}, {}", rule, bounded(roots.discriminant), sign(roots.discriminant),
-              lost(roots.discriminant.bits_lost));
-    if (roots.t0) page.line("       {:<9} t₀ = {:<27} {}", "", bounded(*roots.t0), lost(roots.t0->bits_lost));
-    if (roots.t1) page.line("       {:<9} t₁ = {:<27} {}", "", bounded(*roots.t1), lost(roots.t1->bits_lost));
+    page.line("       {:<9} Δ  = {:<27} {}", rule, bounded(roots.discriminant), sign_and_lost(roots.discriminant));
+    if (roots.t0) page.line("       {:<9} t₀ = {:<27} {}", "", bounded(*roots.t0), lost(*roots.t0));
+    if (roots.t1) page.line("       {:<9} t₁ = {:<27} {}", "", bounded(*roots.t1), lost(*roots.t1));
 }
 
 void tell_test(Page& page, std::size_t number, const SphereTest& test) {
@@ -89,8 +92,12 @@ void tell_test(Page& page, std::size_t number, const SphereTest& test) {
 void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
     const auto& [A, B, C] = test.vertices;
     const auto row = [&](const std::string& before, char vertex, const Vec3<double>& v, char side, const Number& n) {
-        page.line("{:>5}  {} = {:<30} {} = {:<22} truly {}, {}", before, vertex, triple(v), side, bounded(n), sign(n),
-                  lost(n.bits_lost));
+        const std::string corner = triple(v), value = bounded(n), truth = sign_and_lost(n);
+        constexpr std::size_t corner_width = 23, value_width = 29, both = 58;  // a line has 100 columns
+        const bool fits = std::max(corner.size(), corner_width) + std::max(value.size(), value_width) <= both;
+        if (fits) return page.line("{:>5}  {} = {:<23} {} = {:<29} {}", before, vertex, corner, side, value, truth);
+        page.line("{:>5}  {} = {}", before, vertex, corner);
+        page.line("{:>5}  {} = {:<29} {}", "", side, value, truth);
     };
     row(std::to_string(number), 'A', A, 'a', test.a);
     row("", 'B', B, 'b', test.b);
@@ -134,7 +141,7 @@ void tell_shade(Page& page, const Story& story, const Shade& shade) {
               : cut ? "unit(L + r), L not of length 1 as in the paper's program"
                     : "half way, unit(l + r)");
     const auto cosine = [&](std::string_view name, const Number& n) {
-        page.line("{} = {:<27} {}", name, bounded(n), lost(n.bits_lost));
+        page.line("{} = {:<27} {}", name, bounded(n), lost(n));
     };
     cosine("n·l", shade.n_l);
     cosine("n·r", shade.n_r);
@@ -159,13 +166,12 @@ void tell_losses(Page& page, const FirstHit& hit) {
     page.line("the most was lost by  {} = {}{}", operation(hit.steps, step), short_number(checked.value),
               name.empty() ? "" : fmt::format("  ({})", name));
     page.line("{:<21} {:.1f} bits, {}", "", hit.worst_loss, place(step));
-    page.line("{:<21} truly {:.17g}, computed {:.17g}", "", checked.truth, checked.value);
+    page.line("{:<21} truly {}, computed {:.17g}", "", truth(checked), checked.value);
 }
 
 void tell_hit(Page& page, const Story& story, const FirstHit& hit) {
     page.heading(fmt::format("The hit  surface {}", hit.surface));
-    page.line("t      = {:<27} {}{}", bounded(hit.t), lost(hit.t.bits_lost),
-              hit.t_by_exact ? ", found in exact arithmetic" : "");
+    page.line("t      = {:<27} {}{}", bounded(hit.t), lost(hit.t), hit.t_by_exact ? ", found in exact arithmetic" : "");
     page.line("point  = {}", triple(hit.point));
     page.line("normal = {}", triple(hit.normal));
     for (const Surface& surface : story.surfaces) {

@@ -8,6 +8,7 @@
 #include "explain/shell_word.hpp"
 #include "learn/function_line.hpp"
 #include "learn/headers.hpp"
+#include "numerics/decimal.hpp"
 #include "scene/printable.hpp"
 
 namespace glassbox::learn {
@@ -147,7 +148,8 @@ std::string ulps_text(const Failure& failure) {
     const auto [end, error] = std::from_chars(failure.ulps.data(), failure.ulps.data() + failure.ulps.size(), ulps);
     const bool same_sign = failure.expected.starts_with('-') == failure.got.starts_with('-');
     if (failure.ulps.empty() || error != std::errc{} || !(ulps < most) || !same_sign) return "";
-    return fmt::format("{:.3g} {} in the last place)", ulps, ulps == 1 ? "ulp (unit" : "ulps (units");
+    return fmt::format("{} {} in the last place)", Decimal(ulps).rounded_up(3).text(),
+                       ulps == 1 ? "ulp (unit" : "ulps (units");
 }
 
 std::string error_text(const CompileError& error, const Paint& paint) {

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <string>
 
+#include "numerics/printed_bound.hpp"
+
 namespace glassbox {
 
 namespace {
@@ -28,7 +30,7 @@ std::string row(std::size_t ray, const Shot& shot, Scalar scalar) {
     switch (shot.verdict) {
         case Shot::Verdict::hit:
             return fmt::format("{},hit,{},{},{},{},{}\n", ray, shot.surface, shortest(shot.t, scalar),
-                               proven ? fmt::format("{}", shot.t_error) : "", decided, shot.hits);
+                               proven ? fmt::format("{}", bound_to_print(shot.t_error)) : "", decided, shot.hits);
         case Shot::Verdict::miss:
             return fmt::format("{},miss,,,,{},0\n", ray, decided);
         default:

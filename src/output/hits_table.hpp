@@ -7,8 +7,8 @@
 namespace glassbox {
 
 /// The CSV table of what became of each ray, `ray,verdict,surface,t,t_error,decided,hits`: rays counted from 0; t in
-/// the shortest form that reads back as the same number of its scalar. Fields without a meaning are empty: surface and
-/// t of a miss, and t_error and decided for plain scalars, which can guarantee nothing.
+/// the shortest form that reads back as the same number of its scalar; t_error rounded up. Fields without a meaning are
+/// empty: surface and t of a miss, and t_error and decided for plain scalars, which can guarantee nothing.
 void hits_table(std::span<const Shot> shots, Scalar scalar, const Sink& sink);
 
 }  // namespace glassbox

@@ -255,6 +255,8 @@ TEST_CASE("ulps are told of a number that is nearly right, and of no other") {
     CHECK(told("1 (0x1p+0)", "1.0000000000000007 (0x1.0000000000003p+0)", "3.000000") ==
           "3 ulps (units in the last place)");
     CHECK(told("-1", "-1.0000000000000002", "1.000000") == "1 ulp (unit in the last place)");
+    // An error is rounded up: what is more than 4 must not look like 4.
+    CHECK(told("1", "1.0000000000000009", "4.0000000000000009") == "4.01 ulps (units in the last place)");
     CHECK(told("5", "7", "2251799813685248.000000") == "");
     CHECK(told("5e-324", "-5e-324", "2.000000") == "");
     CHECK(told("1", "nan", "inf") == "");

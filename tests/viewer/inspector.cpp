@@ -235,11 +235,27 @@ TEST_CASE("numbers are written short, in full and in hex") {
     CHECK(written({"", 500, {}, false}, NumberForm::full) == "500");
     CHECK(written({"", -HUGE_VAL, {}, false}, NumberForm::full) == "−∞");
     CHECK(written({"", 500, {}, true}, NumberForm::hex) == "500");
-    CHECK(written_bound(third, NumberForm::full) == "");
-    const InspectedNumber bounded{"", 1, number(1, 0x1p-53, 1), false};
-    CHECK(written_bound(bounded, NumberForm::brief) == "± 1.1e-16");  // 2^-53 = 1.11…e-16
-    CHECK(written_bound(bounded, NumberForm::hex) == "± 0x1p-53");
-    CHECK(written_bound({"", 1, number(1, 0, 1), false}, NumberForm::full) == "exact");
+    CHECK(written_with_bound(third, NumberForm::full).value == "0.3333333333333333");
+    CHECK(written_with_bound(third, NumberForm::full).bound == "");
+    const auto both = [](double value, double error, NumberForm form) {
+        const auto [its_value, its_bound] = written_with_bound({"", value, number(value, error, value), false}, form);
+        return its_value + ' ' + its_bound;
+    };
+    // 2^-53 = 1.1102230246251565404…e-16: bounds are rounded up.
+    CHECK(both(1, 0x1p-53, NumberForm::brief) == "1 ± 1.2e-16");
+    CHECK(both(1, 0x1p-53, NumberForm::full) == "1 ± 1.1102230246251566e-16");
+    CHECK(both(1, 0x1p-53, NumberForm::hex) == "0x1p+0 ± 0x1p-53");
+    // As many digits as the bound deserves. 1/3's seventh digit is cut, by 3.4e-8 at most: 2e-6 becomes 2.1e-6.
+    CHECK(both(1 / 3.0, 2e-6, NumberForm::brief) == "0.3333333 ± 2.1e-06");
+    // Not more than 17: the double 1/3 is 0.333333333333333314829…, so that 2^-56 = 1.387…e-17 becomes 1.870…e-17.
+    CHECK(both(1 / 3.0, 0x1p-56, NumberForm::brief) == "0.33333333333333331 ± 1.9e-17");
+    CHECK(both(1, 0, NumberForm::full) == "1 exact");
+    CHECK(both(.1, 0, NumberForm::hex) == "0x1.999999999999ap-4 exact");
+    // The double is exact, but no 0.1.
+    CHECK(both(.1, 0, NumberForm::full) == "0.1 exact as a double");
+    CHECK(both(.1, 0, NumberForm::brief) == "0.1 exact as a double");
+    CHECK(both(1, HUGE_VAL, NumberForm::brief) == "1 ± unknown");
+    CHECK(both(HUGE_VAL, HUGE_VAL, NumberForm::brief) == "∞ ± unknown");
 }
 
 TEST_CASE("an error bar is to scale where it can be seen, and enlarged where it cannot") {
@@ -251,7 +267,7 @@ TEST_CASE("an error bar is to scale where it can be seen, and enlarged where it 
     CHECK(wide.low == doctest::Approx(.5 + .45 * 2 / 4));
     CHECK(*wide.truth == doctest::Approx(.5 + .45 * 3.5 / 4));
     CHECK(wide.sign_is_proven);
-    CHECK(wide.words == "bound 33 % of the value");
+    CHECK(wide.words == "bound ≤ 34 % of the value");  // a third is more than 33 %
 
     // −1 ± 2 reaches over 0
     const ErrorBar over = error_bar(number(-1, 2, .5));
@@ -260,14 +276,16 @@ TEST_CASE("an error bar is to scale where it can be seen, and enlarged where it 
     CHECK(over.high > zero_on_error_bar);
     CHECK(*over.truth == doctest::Approx(.5 + .45 * .5 / 3));
 
-    const ErrorBar small = error_bar(number(2500, 2.5e-9, 2500 + 1.25e-9));
+    const ErrorBar small = error_bar(number(2500, 2.4e-9, 2500 + 1.2e-9));
     CHECK(small.kind == ErrorBar::Kind::magnified);
-    CHECK(small.words == "bound 10⁻¹² of the value");
+    CHECK(small.words == "bound < 10⁻¹² of the value");
+    // 2.6e-9 is nearest to 10⁻¹² of 2500 as powers of ten go, but more than that
+    CHECK(error_bar(number(2500, 2.6e-9, 2500)).words == "bound < 10⁻¹¹ of the value");
     CHECK(small.high == doctest::Approx(.95));
     CHECK(small.low > zero_on_error_bar);
     // half way from the value to the bar's end
     CHECK(*small.truth == doctest::Approx((small.value + small.high) / 2).epsilon(1e-3));
-    const ErrorBar negative = error_bar(number(-2500, 2.5e-9, -2500));
+    const ErrorBar negative = error_bar(number(-2500, 2.4e-9, -2500));
     CHECK(negative.low == doctest::Approx(1 - small.high));
 
     CHECK(error_bar(number(7, 0, 7)).kind == ErrorBar::Kind::exact);

@@ -58,14 +58,17 @@ void tell(std::string_view what, const std::string& members = "") {
 
 std::string member(std::string_view name, const std::string& json) { return "," + in_json(name) + ":" + json; }
 
+/// With all its digits.
+std::string digits(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", number);
+    return text;
+}
+
 template <std::size_t size>
 std::string in_json(const std::array<double, size>& numbers, std::size_t count) {
     std::string list;
-    for (std::size_t i = 0; i < count; ++i) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%s%.17g", i == 0 ? "" : ",", numbers[i]);
-        list += text;
-    }
+    for (std::size_t i = 0; i < count; ++i) list += (i == 0 ? "" : ",") + digits(numbers[i]);
     return "[" + list + "]";
 }
 
@@ -123,7 +126,7 @@ public:
         if (difference)
             members += member("expression", in_json(difference->expression)) +
                        member("expected", in_json(difference->expected)) + member("got", in_json(difference->got)) +
-                       member("ulps", in_json(std::to_string(difference->ulps)));
+                       member("ulps", in_json(digits(difference->ulps)));
         else members += member("expression", in_json(message.m_string.c_str())) + member("got", in_json(""));
         wrong(members, active_contexts());
     }

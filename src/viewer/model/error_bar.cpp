@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/decimal.hpp"
+
 namespace glassbox {
 
 namespace {
@@ -13,6 +15,22 @@ namespace {
 constexpr double half_width = .45, magnified_half = .07;
 /// A bound of less than this part of the value would be too thin to be seen.
 constexpr double least_visible = .02;
+
+/// The least n with bound < 10ⁿ |value|.
+int power_above(double error, double value) {
+    const Decimal bound(error), size = abs(Decimal(value));
+    int n = bound.first_place() - size.first_place() + 1;
+    while (!(Decimal::power_of_ten(n - 1) * size <= bound)) --n;
+    return n;
+}
+
+/// The least whole number of percent that is not below the bound.
+int percent_above(double error, double value) {
+    const Decimal bound = Decimal(error) * Decimal(100.0), size = abs(Decimal(value));
+    int percent = 0;
+    while (!(bound <= Decimal(1.0 * percent) * size)) ++percent;
+    return percent;
+}
 
 }  // namespace
 
@@ -61,11 +79,9 @@ ErrorBar error_bar(const story::Number& number) {
         const double off = std::clamp(number.distance / error, 0.0, 1.0);
         bar.truth = bar.value + (number.truth < value ? -off : off) * half;
     }
-    const double part = error / std::abs(value);
     if (!bar.sign_is_proven) bar.words = "0 lies within the bound: the sign is not proven by it";
-    else if (magnified)
-        bar.words = fmt::format("bound {} of the value", power_of_ten(static_cast<int>(std::lround(std::log10(part)))));
-    else bar.words = fmt::format("bound {:.0f} % of the value", 100 * part);
+    else if (magnified) bar.words = fmt::format("bound < {} of the value", power_of_ten(power_above(error, value)));
+    else bar.words = fmt::format("bound ≤ {} % of the value", percent_above(error, value));
     return bar;
 }
 

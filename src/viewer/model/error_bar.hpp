@@ -18,7 +18,7 @@ struct ErrorBar {
     double value = .5, low = .5, high = .5;  ///< the bar goes from low to high
     std::optional<double> truth;             ///< where the true value lies; none where it is not known
     bool sign_is_proven = false;             ///< 0 lies outside the bar, or the number is exact
-    std::string words;                       ///< "bound 10⁻¹² of the value"
+    std::string words;                       ///< "bound < 10⁻¹² of the value"
 };
 
 inline constexpr double zero_on_error_bar = .5;

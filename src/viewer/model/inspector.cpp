@@ -78,9 +78,7 @@ InspectorRow row(std::string label, const std::string& path, Rgb color, std::str
 
 /// A number whose bound matters: with a bar, its true sign, and the bits that it lost.
 InspectorRow barred(std::string label, const std::string& path, const Number& number, bool with_sign = true) {
-    const std::string loss = lost(number.bits_lost);
-    InspectorRow result = row(std::move(label), path, number,
-                              with_sign ? fmt::format("truly {}, {}", glassbox::sign(number), loss) : loss);
+    InspectorRow result = row(std::move(label), path, number, with_sign ? sign_and_lost(number) : lost(number));
     result.with_bar = true;
     return result;
 }
@@ -313,11 +311,15 @@ std::string written(const InspectedNumber& number, NumberForm form) {
     return "";
 }
 
-std::string written_bound(const InspectedNumber& number, NumberForm form) {
-    if (!number.checked) return "";
-    const double error = number.checked->error;
-    if (form == NumberForm::brief || error == 0 || !std::isfinite(error)) return bound(error);
-    return "± " + (form == NumberForm::hex ? hex(error) : all_digits(error));
+WithBound written_with_bound(const InspectedNumber& number, NumberForm form) {
+    std::string value = written(number, form);
+    if (!number.checked) return {std::move(value), ""};
+    const Number& n = *number.checked;
+    constexpr int all_its_digits = 17;
+    if (form == NumberForm::full || !std::isfinite(n.value)) return {value, bound(value, n, all_its_digits)};
+    if (form == NumberForm::brief) return with_bound(n);
+    // Hexadecimal digits are the double itself.
+    return {std::move(value), n.error == 0 ? "exact" : std::isfinite(n.error) ? "± " + hex(n.error) : "± unknown"};
 }
 
 std::vector<NumberFact> facts(const InspectedNumber& number) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "explain/phrases.hpp"
 #include "explain/story.hpp"
 #include "viewer/model/number_form.hpp"
 
@@ -55,9 +56,11 @@ struct InspectorPart {
 /// All that the inspector shows, in the order of `glassbox explain`.
 std::vector<InspectorPart> inspector(const Story& story);
 
-/// The number's value as it is written; the bound: "± 3.1e-10", "exact".
+/// The number's value as it is written alone.
 std::string written(const InspectedNumber& number, NumberForm form);
-std::string written_bound(const InspectedNumber& number, NumberForm form);
+
+/// The value and its bound as they are written side by side: "2500" and "± 3.1e-10". Without one the bound is empty.
+WithBound written_with_bound(const InspectedNumber& number, NumberForm form);
 
 /// Everything that is known about a number, with all digits.
 struct NumberFact {

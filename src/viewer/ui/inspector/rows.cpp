@@ -79,14 +79,20 @@ void draw_value(const Frame& frame, const InspectorRow& row, bool different) {
     ImGui::BeginGroup();
     Flow flow;
     ImGui::PushFont(frame.fonts.mono);
-    for (std::size_t i = 0; i < row.numbers.size(); ++i) {
-        const InspectedNumber& number = row.numbers[i];
-        const bool more = i + 1 < row.numbers.size();
-        flow.item(palette.text, written(number, form) + (more ? "," : ""));
+    if (row.numbers.size() == 1) {
+        const InspectedNumber& number = row.numbers.front();
+        const auto [value, its_bound] = written_with_bound(number, form);
+        flow.item(palette.text, value);
         draw_facts(number);
-        if (row.numbers.size() > 1 || !number.checked) continue;
-        flow.item(number.checked->error == 0 ? palette.faint_text : palette.text, written_bound(number, form));
-        draw_facts(number);
+        if (!its_bound.empty()) {
+            flow.item(number.checked->error == 0 ? palette.faint_text : palette.text, its_bound);
+            draw_facts(number);
+        }
+    } else {
+        for (const InspectedNumber& number : row.numbers) {
+            flow.item(palette.text, written(number, form) + (&number == &row.numbers.back() ? "" : ","));
+            draw_facts(number);
+        }
     }
     ImGui::PopFont();
     if (!row.note.empty()) flow.item(row.numbers.empty() ? palette.text : palette.faint_text, row.note);

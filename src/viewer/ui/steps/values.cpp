@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
+#include <string_view>
 
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
@@ -13,12 +15,12 @@ namespace {
 
 using story::StoryStep;
 
-/// The last line of a number: how far it can be, and is, from the truth.
-std::string how_true(const Checked& number) {
-    std::string text = bound(number.error);
+/// Behind a number that is printed so: how far it can be, and is, from the truth.
+std::string how_true(std::string_view printed, const Checked& number) {
+    std::string text = bound(printed, number);
     if (number.known == Known::not_at_all) return text + ", its true value is not known";
-    if (number.distance != 0) text += fmt::format(", truly {:.17g}", number.truth);
-    return text + ", " + lost(number.bits_lost);
+    if (number.distance != 0 || may_be_zero(number)) text += ", truly " + truth(number);
+    return std::isnan(number.bits_lost) ? text : text + ", " + lost(number);
 }
 
 void number_row(const Frame& frame, const std::string& name, const Checked& number, ImU32 color) {
@@ -27,9 +29,10 @@ void number_row(const Frame& frame, const std::string& name, const Checked& numb
     draw_wrapped(color, name);
     ImGui::TableNextColumn();
     ImGui::PushFont(frame.fonts.mono);
-    draw_wrapped(fmt::format("{:.17g}", number.value));
+    const std::string value = fmt::format("{:.17g}", number.value);
+    draw_wrapped(value);
     ImGui::PopFont();
-    const std::string truth = how_true(number);
+    const std::string truth = how_true(value, number);
     same_line_if_fits(ImGui::CalcTextSize(truth.c_str()).x);
     draw_wrapped(frame.palette.faint_text, truth);
 }
