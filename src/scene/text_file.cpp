@@ -1,5 +1,7 @@
 #include "scene/text_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -53,7 +55,7 @@ std::string in_quotes(std::string_view text) {
     std::size_t size = std::min(text.size(), most);
     if (size < text.size())  // not in the middle of a character
         while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
-    return "'" + printable(text.substr(0, size)) + (size < text.size() ? "…'" : "'");
+    return fmt::format("'{}{}", printable(text.substr(0, size)), size < text.size() ? "…'" : "'");
 }
 
 }  // namespace glassbox
