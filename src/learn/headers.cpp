@@ -12,7 +12,7 @@ namespace glassbox::learn {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t most = 16 << 20;  // bytes
+constexpr std::uintmax_t largest_header = 16 << 20;  // bytes
 
 std::vector<fs::path> headers_in(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -29,7 +29,7 @@ std::vector<fs::path> headers_in(const fs::path& folder) {
 
 std::string content_of(const fs::path& file) {
     std::error_code none;
-    if (!fs::is_regular_file(file, none) || fs::file_size(file, none) > most) return "";
+    if (!fs::is_regular_file(file, none) || fs::file_size(file, none) > largest_header) return "";
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
