@@ -51,7 +51,7 @@ TEST_CASE("another rounding mode is noticed, in each scalar") {
 TEST_CASE("vectors of each kind compute what single numbers do") {
     const std::vector<engine::VectorKind> kinds = engine::try_vectors();
     CHECK_FALSE(kinds.empty());
-    for (const auto& [name, is_right] : kinds) CHECK_MESSAGE(is_right, name);
+    for (const engine::VectorKind& kind : kinds) CHECK_MESSAGE(kind.is_right, kind.name);
 }
 
 #ifdef __SSE2__
