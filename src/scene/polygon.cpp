@@ -2,95 +2,118 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <truth.hpp>
+
+#include "numerics/exact.hpp"
+#include "scene/ears.hpp"
+#include "scene/mountains.hpp"
+#include "scene/orientation.hpp"
 
 namespace glassbox {
 namespace {
 
-struct Point2 {
-    double x, y;
-    friend bool operator==(const Point2&, const Point2&) = default;
-};
-
-/// Twice the signed area of a triangle: positive where a, b, c run counter-clockwise.
-double area(const Point2& a, const Point2& b, const Point2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Whether p is in the counter-clockwise triangle or on its edge. Its corners themselves do not count.
-bool inside(const Point2& p, const Point2& a, const Point2& b, const Point2& c) {
-    if (p == a || p == b || p == c) return false;
-    return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
-}
+using Triangles = std::vector<std::array<std::size_t, 3>>;
 
 double largest_component(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The polygon moved to the origin and scaled to size 1, lest products overflow, and laid flat: seen along the axis
-/// that its normal is nearest to, from the side from which it runs counter-clockwise.
-std::vector<Point2> flattened(std::span<const Vec3<double>> polygon) {
-    std::vector<Vec3<double>> points;
-    double size = 0;
+/// The sum over all edges, so that no single corner decides: twice the polygon's area, along its normal (Newell).
+template <class Real>
+Vec3<Real> newell(std::span<const Vec3<double>> polygon) {
+    const auto seen = [from = convert<Real>(polygon.front())](const Vec3<double>& corner) {
+        return convert<Real>(corner) - from;
+    };
+    Vec3<Real> normal;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        normal = normal + cross(seen(polygon[k]), seen(polygon[k + 1]));
+    return normal;
+}
+
+/// An axis, 0 to 2, and a direction on it.
+struct Axis {
+    int number;
+    bool negative;
+};
+
+template <class Real>
+Axis nearest_axis(const Vec3<Real>& n) {
+    using std::abs;
+    const Real x = abs(n.x), y = abs(n.y), z = abs(n.z), zero(0);
+    if (surely(z >= x) && surely(z >= y)) return {2, surely(n.z < zero)};
+    if (surely(y >= x)) return {1, surely(n.y < zero)};
+    return {0, surely(n.x < zero)};
+}
+
+/// The axis along which the polygon is thinnest.
+Axis thinnest_axis(std::span<const Vec3<double>> polygon) {
+    Vec3<double> size;
     for (const auto& corner : polygon) {
-        points.push_back(0.5 * corner - 0.5 * polygon.front());
-        size = std::max(size, largest_component(points.back()));
+        const auto [x, y, z] = corner - polygon.front();
+        size = {std::max(size.x, std::abs(x)), std::max(size.y, std::abs(y)), std::max(size.z, std::abs(z))};
     }
-    if (size > 0)
-        for (auto& point : points) point = point / size;
+    if (size.z <= size.x && size.z <= size.y) return {2, false};
+    return {size.y <= size.x ? 1 : 0, false};
+}
 
-    // Newell's normal: the sum over all edges, so that no single corner decides.
-    Vec3<double> normal;
-    for (std::size_t i = 0; i < points.size(); ++i) normal = normal + cross(points[i], points[(i + 1) % points.size()]);
+/// The axis that the polygon's normal is nearest to. From there it is not seen edge-on, if it has an area at all.
+Axis axis_of(std::span<const Vec3<double>> polygon) {
+    const auto n = newell<double>(polygon);
+    double size = 0;
+    for (const auto& corner : polygon) size = std::max(size, largest_component(corner - polygon.front()));
+    // A component is a sum of 2n products of size² at most, each rounded n + 4 times at most.
+    const auto corners = static_cast<double>(polygon.size());
+    const double doubt = 2 * corners * (corners + 4) * 0x1p-52 * size * size + 0x1p-900;
+    if (doubt < 0x1p900 && largest_component(n) > doubt) return nearest_axis(n);
 
-    const double largest = largest_component(normal);
+    const auto exact = newell<Exact>(polygon);
+    const bool has_area = exact.x.sign() != 0 || exact.y.sign() != 0 || exact.z.sign() != 0;
+    return has_area ? nearest_axis(exact) : thinnest_axis(polygon);
+}
+
+/// The polygon laid flat: seen along that axis, from the side from which it runs counter-clockwise. No number changes.
+std::vector<Point2> flattened(std::span<const Vec3<double>> polygon) {
+    const auto [axis, negative] = axis_of(polygon);
     std::vector<Point2> flat;
-    for (const auto& p : points) {
-        if (std::abs(normal.z) == largest) flat.push_back(normal.z < 0 ? Point2{p.y, p.x} : Point2{p.x, p.y});
-        else if (std::abs(normal.y) == largest) flat.push_back(normal.y < 0 ? Point2{p.x, p.z} : Point2{p.z, p.x});
-        else flat.push_back(normal.x < 0 ? Point2{p.z, p.y} : Point2{p.y, p.z});
+    flat.reserve(polygon.size());
+    for (const auto& p : polygon) {
+        if (axis == 2) flat.push_back({p.x, p.y});
+        else if (axis == 1) flat.push_back({p.z, p.x});
+        else flat.push_back({p.y, p.z});
+        if (negative) std::swap(flat.back().x, flat.back().y);
     }
     return flat;
 }
 
-/// The corner before `corner`, itself and the one after it, in a polygon whose corners are listed in `left`.
-std::array<std::size_t, 3> around(const std::vector<std::size_t>& left, std::size_t corner) {
-    const std::size_t n = left.size();
-    return {left[(corner + n - 1) % n], left[corner], left[(corner + 1) % n]};
+/// Turns left at each corner, and goes around once: then one corner alone has both its neighbours on its right.
+bool is_convex(std::span<const Point2> outline) {
+    const std::size_t n = outline.size();
+    std::size_t leftmost = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Point2 &a = outline[k], &b = outline[(k + 1) % n], &c = outline[(k + 2) % n];
+        if (orientation(a, b, c) <= 0) return false;
+        if (b < a && b < c) ++leftmost;
+    }
+    return leftmost == 1;
+}
+
+Triangles fan(std::size_t corners) {
+    Triangles triangles;
+    for (std::size_t k = 1; k + 1 < corners; ++k) triangles.push_back({0, k, k + 1});
+    return triangles;
 }
 
 }  // namespace
 
-std::vector<std::array<std::size_t, 3>> triangulate(std::span<const Vec3<double>> polygon) {
-    const std::vector<Point2> flat = flattened(polygon);
-    std::vector<std::size_t> left(polygon.size());
-    std::iota(left.begin(), left.end(), std::size_t{0});
-
-    const auto turns_left = [&](const std::array<std::size_t, 3>& abc) {
-        return area(flat[abc[0]], flat[abc[1]], flat[abc[2]]) > 0;
-    };
-    // Only corners that do not turn left can lie in an ear, and cutting ears makes no new ones.
-    std::vector<Point2> obstacles;
-    for (std::size_t k = 0; k < left.size(); ++k)
-        if (!turns_left(around(left, k))) obstacles.push_back(flat[k]);
-    const auto is_ear = [&](const std::array<std::size_t, 3>& abc) {
-        return turns_left(abc) && std::none_of(obstacles.begin(), obstacles.end(), [&](const Point2& p) {
-                   return inside(p, flat[abc[0]], flat[abc[1]], flat[abc[2]]);
-               });
-    };
-
-    std::vector<std::array<std::size_t, 3>> triangles;
-    while (left.size() > 3) {
-        // Corners 1, 2, …, n − 1, 0: from the second on, so that a convex polygon becomes a fan about its first.
-        std::size_t ear = 1;
-        for (std::size_t k = 1; k <= left.size(); ++k) {
-            if (is_ear(around(left, k % left.size()))) {
-                ear = k % left.size();
-                break;
-            }
-        }
-        triangles.push_back(around(left, ear));
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    triangles.push_back({left[0], left[1], left[2]});
+Triangles triangulate(std::span<const Vec3<double>> polygon) {
+    if (polygon.size() == 3) return fan(3);
+    const std::vector<Point2> outline = flattened(polygon);
+    if (is_convex(outline)) return fan(outline.size());
+    std::optional<Triangles> mountains = cut_into_mountains(outline);
+    Triangles triangles = mountains ? *std::move(mountains) : cut_ears(outline);
+    for (auto& abc : triangles) std::rotate(abc.begin(), std::min_element(abc.begin(), abc.end()), abc.end());
+    std::sort(triangles.begin(), triangles.end());
     return triangles;
 }
 

@@ -2,8 +2,8 @@
 # goes against the arrows as file:line: error: …; exits with 1 if there is one. arrows.sh says which files.
 
 BEGIN {
-    allow("scene", "")
     allow("numerics", "")
+    allow("scene", "numerics")
     allow("engine", "scene numerics")
     allow("render", "engine scene numerics")
     allow("output", "render scene numerics")

@@ -96,15 +96,40 @@ TEST_CASE("A hole, joined to the outside by a cut that is walked twice") {
     CHECK(fills(triangles, frame));
 }
 
-TEST_CASE("What is no polygon gives as many triangles, and an end") {
-    CHECK(triangulate(Polygon(5, Point{1, 2, 3})).size() == 3);
-    CHECK(triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).size() == 2);
+TEST_CASE("What has no area gives no triangle") {
+    CHECK(triangulate(Polygon(5, Point{1, 2, 3})).empty());
+    CHECK(triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).empty());
+    CHECK(triangulate(Polygon{{0, 0, 0}, {1, 2, 3}, {0, 0, 0}, {1, 2, 4}}).empty());
+}
+
+TEST_CASE("A corner twice, and an edge walked there and back, add nothing") {
+    // A square of four corners, n − 2 = 2 triangles, and one at which the outline stands still, or from which it goes
+    // out.
+    CHECK(triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).size() == 2);
+    CHECK(triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).size() == 2);
+}
+
+TEST_CASE("Where an outline crosses itself at one of its corners, both sides are filled, each its own way round") {
+    CHECK(triangulate(Polygon{{0, 0, 0}, {2, 2, 0}, {3, 3, 0}, {3, 1, 0}, {2, 2, 0}, {0, 3, 0}}) ==
+          Triangles{{0, 1, 5}, {1, 2, 3}});
+}
+
+TEST_CASE("An outline that crosses itself gives at most n - 2 triangles, and an end") {
     CHECK(triangulate(Polygon{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size() == 2);
     CHECK(triangulate(Polygon{{1e308, 0, 0}, {-1e308, 1e308, 0}, {-1e308, -1e308, 0}, {1e308, -1e308, 0}}).size() == 2);
     Polygon star;
     for (int k = 0; k < 5; ++k)
         star.push_back({std::cos(k * 4 * std::numbers::pi / 5), std::sin(k * 4 * std::numbers::pi / 5), 0});
     CHECK(triangulate(star).size() == 3);
+}
+
+TEST_CASE("Thousands of corners, all crossed, come to an end soon") {
+    Polygon star;
+    for (int k = 0; k < 12001; ++k) {
+        const double angle = k * 6000 * 2 * std::numbers::pi / 12001;
+        star.push_back({std::cos(angle), std::sin(angle) * (1 + 0.001 * (k % 7)), 0});
+    }
+    CHECK(triangulate(star).size() <= 12001 - 2);
 }
 
 TEST_CASE("A disk of ten thousand corners takes no time to speak of") {
