@@ -8,6 +8,7 @@
 #include "scene/direction.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
+#include "scene/toml_depth.hpp"
 
 namespace glassbox {
 namespace {
@@ -46,13 +47,19 @@ std::string_view plural(std::size_t count) { return count == 1 ? "" : "s"; }
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file, std::string_view what) {
-    if (const auto offset = first_not_utf8(text)) {
-        const std::string_view before = text.substr(0, *offset);
+    const auto place_of = [&](std::size_t offset) -> Place {
+        const std::string_view before = text.substr(0, offset);
         const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
         const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0 on the first line
-        throw error_at({file, line, *offset - line_start + 1},
-                       fmt::format("this is not UTF-8; {} must be a text file in UTF-8", what));
-    }
+        return {file, line, offset - line_start + 1};
+    };
+    if (const auto offset = first_not_utf8(text))
+        throw error_at(place_of(*offset), fmt::format("this is not UTF-8; {} must be a text file in UTF-8", what));
+    if (const auto offset = first_too_deep(text))
+        throw error_at(place_of(*offset),
+                       fmt::format("tables and arrays are nested more than {0} levels deep here; {1} has a few, and "
+                                   "dotted keys and brackets must make {0} at most",
+                                   most_toml_levels, what));
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {

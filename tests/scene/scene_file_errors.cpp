@@ -61,8 +61,16 @@ TEST_CASE("What is not TOML") {
     CHECK(complaint_about("[image]\nwidth = 1\nwidth = 2\n").starts_with("a.toml:3:9:" + not_toml));
     CHECK(complaint_about("[image]\nwidth = 1\n[image]\nheight = 1\n").starts_with("a.toml:3:1:" + not_toml));
     CHECK(complaint_about("light.intensity = 1e999\n").starts_with("a.toml:1:"));
-    // Deeper than any parser should follow.
-    CHECK(complaint_about("a = " + std::string(100000, '[')).starts_with("a.toml:1:"));
+    // Deeper than any parser should follow: the column is that of the 101st level, after "a = " or in "a.a.a…".
+    const std::string too_deep =
+        " error: tables and arrays are nested more than 100 levels deep here; a scene has a few, and dotted keys and "
+        "brackets must make 100 at most";
+    CHECK(complaint_about("a = " + std::string(100000, '[')) == "a.toml:1:104:" + too_deep);
+    std::string dotted = "a";
+    for (int k = 0; k < 40000; ++k) dotted += ".b";
+    CHECK(complaint_about(dotted + " = 1\n").ends_with(too_deep));
+    CHECK(complaint_about("[" + dotted + "]\n").ends_with(too_deep));
+    CHECK(complaint_about("x = {" + dotted + " = 1}\n").ends_with(too_deep));
 }
 
 TEST_CASE("Every message is one line") {
