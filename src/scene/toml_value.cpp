@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "scene/direction.hpp"
 #include "scene/suggestion.hpp"
@@ -42,6 +43,52 @@ std::string shown(const Value& value) {
     return fmt::format("{:#}", value.node->as_floating_point()->get());
 }
 
+/// The line of that number, from 1.
+std::string_view line_of(std::string_view text, std::size_t number) {
+    for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find('\n'));
+}
+
+/// The bytes of the first `columns` characters of a line in UTF-8.
+std::size_t bytes_of(std::string_view line, std::size_t columns) {
+    std::size_t bytes = 0;
+    const auto continues = [&] {
+        return bytes < line.size() && (static_cast<unsigned char>(line[bytes]) & 0xC0u) == 0x80u;
+    };
+    for (; columns > 0 && bytes < line.size(); --columns) do
+            ++bytes;
+        while (continues());
+    return bytes;
+}
+
+/// What toml++ says of a number that it cannot hold, in our words, at the number; nothing if it is about something
+/// else. `line` is the one that it stands in.
+std::optional<Error> number_error(const Place& stopped, std::string_view line, std::string_view description) {
+    const auto says = [&](std::string_view words) { return description.find(words) != std::string_view::npos; };
+    const bool is_whole = says("is not representable in 64 bits");
+    const bool is_large = says("floating-point") && says("could not be interpreted");
+    if (!is_whole && !is_large) {
+        if (!says("numeric value too long") && !says("exceeds length limit")) return {};
+        return error_at(stopped, "this number has too many digits; a double has 17: write it shorter, like 1.25e-30");
+    }
+    // The parser has stopped behind it.
+    const std::string_view before = line.substr(0, bytes_of(line, stopped.column - 1));
+    const std::size_t start = before.find_last_not_of("0123456789abcdefABCDEFxo_.+-") + 1;
+    const std::string_view digits = before.substr(start);
+    const Place place{stopped.file, stopped.line, stopped.column - digits.size()};
+    std::string plain(digits);
+    std::erase(plain, '_');
+    if (is_large && !std::isinf(std::strtod(plain.c_str(), nullptr))) return {};
+    if (is_large)
+        return error_at(place, fmt::format("{} is too large; a number must lie between -1.7976931348623157e308 and "
+                                           "1.7976931348623157e308",
+                                           in_quotes(digits)));
+    return error_at(place,
+                    fmt::format("{} is too large for a whole number, which must lie between -9223372036854775808 "
+                                "and 9223372036854775807; others have a point or an exponent, like 1e20",
+                                in_quotes(digits)));
+}
+
 std::string_view plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 }  // namespace
@@ -65,6 +112,9 @@ toml::table parse_toml(std::string_view text, const std::string& file, std::stri
     } catch (const toml::parse_error& error) {
         const auto where = error.source().begin;
         std::string_view description = error.description();
+        if (const auto about_number =
+                number_error({file, where.line, where.column}, line_of(text, where.line), description))
+            throw *about_number;
         if (description.starts_with("Error ")) description.remove_prefix(6);
         std::string message(description);
         std::replace(message.begin(), message.end(), '\n', ' ');
