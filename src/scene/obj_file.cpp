@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -26,12 +27,10 @@ struct Word {
     std::size_t offset;
 };
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 /// Walks over a text line by line and word by word. A backslash at the end of a line joins it with the next.
 class Words {
 public:
-    explicit Words(std::string_view text) : text_(text), at_(text.starts_with(byte_order_mark) ? 3 : 0) {}
+    explicit Words(std::string_view text) : text_(text) {}
 
     /// The next word of this line; empty at its end and where a comment starts.
     Word next() {
@@ -62,7 +61,7 @@ private:
     }
 
     std::string_view text_;
-    std::size_t at_;
+    std::size_t at_ = 0;
 };
 
 struct Source {
@@ -104,11 +103,39 @@ Vec3<double> vertex(const Source& source, Words& words) {
     return {xyz[0], xyz[1], xyz[2]};
 }
 
+/// A face; fo is what it was called before version 3 of the format.
+bool is_face(const Word& keyword) { return keyword.text == "f" || keyword.text == "fo"; }
+
+/// Throws for a statement that brings surfaces which cannot be read here: they must not be missing without a word.
+void refuse_lost(const Source& source, const Word& keyword) {
+    constexpr std::array<std::string_view, 6> free_forms{"surf", "bzp", "bsp", "cdc", "cdp", "res"};
+    constexpr std::array<std::string_view, 2> from_elsewhere{"call", "csh"};
+    constexpr std::array<std::string_view, 3> large{"V", "F", "FO"};
+    const auto is_one_of = [&](const auto& names) {
+        return std::find(names.begin(), names.end(), keyword.text) != names.end();
+    };
+    if (is_one_of(free_forms))
+        throw error_in(
+            source, keyword.offset,
+            fmt::format("{} is a free-form surface; a mesh must be made of flat faces, f: let the program that "
+                        "wrote the file cut it into polygons",
+                        in_quotes(keyword.text)));
+    if (is_one_of(from_elsewhere))
+        throw error_in(source, keyword.offset,
+                       fmt::format("{} takes surfaces from elsewhere; all of a mesh must be in its file",
+                                   in_quotes(keyword.text)));
+    if (is_one_of(large))
+        throw error_in(
+            source, keyword.offset,
+            fmt::format("{} must be written in small letters: v for a vertex, f for a face", in_quotes(keyword.text)));
+}
+
 std::vector<Vec3<double>> read_vertices(const Source& source) {
     std::vector<Vec3<double>> vertices;
     Words words(source.text);
     do {
         const Word keyword = words.next();
+        refuse_lost(source, keyword);
         if (keyword.text != "v") continue;
         if (vertices.size() == std::numeric_limits<std::uint32_t>::max())
             throw error_in(source, keyword.offset, "there are too many vertices; at most 4294967295 can be numbered");
@@ -157,7 +184,7 @@ std::vector<std::array<std::uint32_t, 3>> read_faces(const Source& source, const
     do {
         const Word keyword = words.next();
         if (keyword.text == "v") ++vertices_before;
-        if (keyword.text != "f") continue;
+        if (!is_face(keyword)) continue;
         corners.clear();
         for (Word word = words.next(); !word.text.empty(); word = words.next())
             corners.push_back(corner(source, word, vertices.size(), vertices_before));
@@ -175,14 +202,24 @@ std::vector<std::array<std::uint32_t, 3>> read_faces(const Source& source, const
     return faces;
 }
 
+bool has_faces(std::string_view text) {
+    Words words(text);
+    do
+        if (is_face(words.next())) return true;
+    while (words.next_line());
+    return false;
+}
+
 }  // namespace
 
 Mesh read_obj(const std::filesystem::path& file, const Rgb& color) {
-    const std::string text = read_text(file);
+    const std::string text = read_lines(file);
     const Source source{file.string(), text};
     // Vertices first: a face may name one that comes after it.
     std::vector<Vec3<double>> vertices = read_vertices(source);
     std::vector<std::array<std::uint32_t, 3>> faces = read_faces(source, vertices);
+    if (faces.empty() && has_faces(text))
+        throw error_at({source.file}, "no face has an area; there must be one whose corners do not all lie on a line");
     if (faces.empty()) throw error_at({source.file}, "there are no faces; an OBJ file must have lines like f 1 2 3");
     return {std::move(vertices), std::move(faces), color};
 }

@@ -73,18 +73,11 @@ bool is_header(std::string_view line) {
     return names == header;
 }
 
-/// Some spreadsheets open a file in UTF-8 with it.
-void skip_byte_order_mark(std::string_view& text) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    if (text.starts_with(mark)) text.remove_prefix(mark.size());
-}
-
 }  // namespace
 
 std::vector<Ray<double>> read_rays(const std::filesystem::path& file) {
-    const std::string content = read_text(file);
-    std::string_view text = content;
-    skip_byte_order_mark(text);
+    const std::string content = read_lines(file);
+    const std::string_view text = content;
     std::vector<Ray<double>> rays;
     Place place{file.string(), 1, 1};
     for (std::size_t begin = 0; begin < text.size() || place.line == 1; ++place.line) {

@@ -134,7 +134,7 @@ Mesh read_mesh(const Section& mesh, const std::filesystem::path& folder) {
 
 Scene read_scene(const std::filesystem::path& path) {
     const std::string file = path.string();
-    const toml::table document = parse_toml(read_text(path), file, "a scene");
+    const toml::table document = parse_toml(read_lines(path), file, "a scene");
     const Section top(document, "the scene", file);
     top.expect_keys({"title", "image", "view", "light", "shading", "sphere", "triangle", "mesh"});
 

@@ -41,6 +41,18 @@ std::string read_text(const std::filesystem::path& file) {
     return text;
 }
 
+std::string read_lines(const std::filesystem::path& file) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    std::string text = read_text(file);
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+    bool before_newline = false;
+    for (auto at = text.rbegin(); at != text.rend(); ++at) {
+        if (*at == '\r' && !before_newline) *at = '\n';
+        else before_newline = *at == '\n' || *at == '\r';
+    }
+    return text;
+}
+
 std::optional<std::size_t> first_not_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto [code, size] = first_character(text.substr(i));

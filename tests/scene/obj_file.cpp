@@ -77,6 +77,37 @@ TEST_CASE("Weights and colours after x y z, comments, tabs, CRLF, a byte order m
     CHECK(read("# C:\\models\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").faces == one);
 }
 
+TEST_CASE("Lines that end in carriage returns alone, and their numbers") {
+    CHECK(read("v 0 0 0\rv 1 0 0 # second\rv 0 1 0\rf 1 2 \\\r3\r").faces == Faces{{0, 1, 2}});
+    CHECK(complaint_about("v 0 0 0\r\rv 1 x 0\r") == "a.obj:3:5: error: 'x' is not a number");
+}
+
+TEST_CASE("Faces in the old spelling, fo") {
+    CHECK(read(square + "fo 1 2 3\nf 2 3 4\nfo 1//1 2//1 3//1 4//1\n").faces ==
+          Faces{{0, 1, 2}, {1, 2, 3}, {0, 1, 2}, {0, 2, 3}});
+    CHECK(complaint_about(square + "fo 1 2\n") ==
+          "a.obj:5:1: error: a face must have at least three corners; this one has 2");
+}
+
+TEST_CASE("Surfaces that would be missing are refused; points, lines and what only describes are passed over") {
+    CHECK(complaint_about(square + "f 1 2 3\nsurf 0 1 0 1 1 2 3 4\n") ==
+          "a.obj:6:1: error: 'surf' is a free-form surface; a mesh must be made of flat faces, f: let the program that "
+          "wrote the file cut it into polygons");
+    CHECK(complaint_about("call other.obj\n") ==
+          "a.obj:1:1: error: 'call' takes surfaces from elsewhere; all of a mesh must be in its file");
+    CHECK(complaint_about(square + "F 1 2 3\n") ==
+          "a.obj:5:1: error: 'F' must be written in small letters: v for a vertex, f for a face");
+    CHECK(read(square + "vt 0 0\nvn 0 0 1\nvp 1\np 1 2\nl 1 2 3\ncurv 0 1 1 2\nbevel on\nlod 1\nmg 1 2\nf 1 2 3\n")
+              .faces == Faces{{0, 1, 2}});
+}
+
+TEST_CASE("A polygon without area brings no triangle; the file is no worse for it") {
+    CHECK(read(square + "f 1 2 1 2\nf 1 2 3\n").faces == Faces{{0, 1, 2}});
+    CHECK(complaint_about(square + "f 1 2 1 2\n") ==
+          "a.obj: error: no face has an area; there must be one whose corners do not all lie on a line");
+    CHECK(read("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n").faces == Faces{{0, 1, 2}});  // a triangle stays as it is
+}
+
 TEST_CASE("Vertices that do not exist") {
     CHECK(complaint_about(square + "f 1 2 5\n") == "a.obj:5:7: error: there is no vertex 5: the file has 4 vertices");
     CHECK(complaint_about(square + "f 1 2 3\nf 1 0 3\n") ==

@@ -73,6 +73,31 @@ TEST_CASE("What is not TOML") {
     CHECK(complaint_about("x = {" + dotted + " = 1}\n").ends_with(too_deep));
 }
 
+TEST_CASE("Numbers that do not fit are told so, at the number") {
+    const std::string large =
+        " is too large; a number must lie between -1.7976931348623157e308 and 1.7976931348623157e308";
+    const std::string whole =
+        " is too large for a whole number, which must lie between -9223372036854775808 and 9223372036854775807; others "
+        "have a point or an exponent, like 1e20";
+    CHECK(about("[light]", "intensity", "1e400") == "'1e400'" + large);
+    CHECK(about("[light]", "intensity", "-1_0.5e+999 # bright") == "'-1_0.5e+999'" + large);
+    CHECK(about("[image]", "width", "12345678901234567890") == "'12345678901234567890'" + whole);
+    CHECK(about("[image]", "width", "-9223372036854775809") == "'-9223372036854775809'" + whole);
+    CHECK(about("[image]", "width", "0xfffffffffffffffff") == "'0xfffffffffffffffff'" + whole);
+    // "background = [" has 14 characters, and "0, " 3.
+    CHECK(complaint_about("[image]\nbackground = [0, 99999999999999999999]\n") ==
+          "a.toml:2:18: error: '99999999999999999999'" + whole);
+    // The column counts characters, not bytes.
+    CHECK(complaint_about("\"ü\" = 1e400\n") == "a.toml:1:7: error: '1e400'" + large);
+    CHECK(about("[image]", "width", std::string(200, '1')) ==
+          "this number has too many digits; a double has 17: write it shorter, like 1.25e-30");
+}
+
+TEST_CASE("A scene whose lines end in carriage returns alone, with a byte order mark") {
+    CHECK(complaint_about("\xEF\xBB\xBF[image]\rwidth = 0\r") ==
+          "a.toml:2:9: error: width is 0; it must be a whole number from 1 to 32768");
+}
+
 TEST_CASE("Every message is one line") {
     for (const auto* bad : {"a = ", "[", "[[", "]", "=", "\"\n", "'''", "a.b.c", "a = [1,\n2", "a = 1 b = 2", "\x01"}) {
         const std::string message = complaint_about(bad);

@@ -13,6 +13,17 @@ TEST_CASE("A text file is read to the byte") {
     CHECK(read_text(folder.write("b.txt", "")).empty());
 }
 
+TEST_CASE("Lines end as on Unix, on Windows and on old Macs, and no byte order mark is left") {
+    const Folder folder;
+    const auto lines = [&](std::string_view text) { return read_lines(folder.write("a.txt", text)); };
+    CHECK(lines("one\ntwo\r\nthree\n") == "one\ntwo\r\nthree\n");
+    CHECK(lines("one\rtwo\r\rfour\r") == "one\ntwo\n\nfour\n");
+    CHECK(lines("one\r\r\ntwo\r") == "one\r\r\ntwo\n");  // a line end that Windows has converted twice
+    CHECK(lines("\xEF\xBB\xBFone") == "one");
+    CHECK(lines("\r") == "\n");
+    CHECK(lines("").empty());
+}
+
 TEST_CASE("A byte 0 is found, however late") {
     const Folder folder;
     const auto file = folder.write("a.txt", std::string(300000, 'x') + '\0');
