@@ -379,19 +379,48 @@ ScriptStep told_with(const Place& place, ScriptStep step) {
     }};
 }
 
+/// A line's words, up to where a comment begins. A word that begins with a quote, single or double, goes on to the next
+/// such quote, whatever blanks and # stand between them. Throws Error for a quote that is not closed.
+Words words_of(std::string_view line) {
+    constexpr std::string_view blanks = " \t\r\f\v";
+    Words words;
+    bool in_word = false;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        const char c = line[at];
+        if (c == '#') break;
+        if (blanks.find(c) != std::string_view::npos) {
+            in_word = false;
+            continue;
+        }
+        const bool is_quoted = !in_word && (c == '"' || c == '\'');
+        if (!in_word) words.emplace_back();
+        in_word = true;
+        if (!is_quoted) {
+            words.back() += c;
+            continue;
+        }
+        const std::size_t end = line.find(c, at + 1);
+        if (end == std::string_view::npos)
+            throw Error(fmt::format("the quote {} is not closed; it must be closed on the same line",
+                                    in_quotes(line.substr(at))));
+        words.back() += line.substr(at + 1, end - at - 1);
+        at = end;
+    }
+    return words;
+}
+
 }  // namespace
 
 std::vector<ScriptStep> read_script(const std::filesystem::path& file) {
     std::vector<ScriptStep> steps;
-    std::istringstream text(read_text(file));
+    std::istringstream text(read_lines(file));
     std::string line;
     for (std::size_t number = 1; std::getline(text, line); ++number) {
-        std::istringstream words_of(line.substr(0, line.find('#')));
-        Words words;
-        for (std::string word; words_of >> word;) words.push_back(word);
-        if (words.empty()) continue;
-        const Place place{file.string(), number, line.find(words[0]) + 1};
+        if (line.ends_with('\r')) line.pop_back();
+        const Place place{file.string(), number, line.find_first_not_of(" \t") + 1};
         try {
+            const Words words = words_of(line);
+            if (words.empty()) continue;
             steps.push_back(told_with(place, read_line(words)));
         } catch (const CLI::ValidationError& error) {
             throw error_at(place, error.what());

@@ -1,0 +1,45 @@
+#include <doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "cli/program.hpp"
+
+using namespace glassbox;
+
+namespace {
+
+const std::filesystem::path scenes = SCENES;
+
+}  // namespace
+
+TEST_CASE("a script names files with blanks, # and quotes in quotes, after a byte order mark, in lines of old Macs") {
+    const test::Folder folder;
+    std::filesystem::copy_file(scenes / "triangle.toml", folder / "my scene #1.toml");
+    std::filesystem::copy_file(scenes / "triangle.toml", folder / "it's.toml");
+    test::write(folder / "a.script",
+                "\xEF\xBB\xBFopen \"my scene #1.toml\"  # it's a \"comment\"\rsize 500x400\ropen it's.toml\r"
+                "open \"it's.toml\"\rscreenshot 'out \"1\" #.png'\r");
+    const test::Ran ran = test::run_glassbox({"view", "--script", "a.script"}, {.folder = folder.path});
+    CAPTURE(ran.err);
+    CHECK(ran.status == 0);
+    CHECK(std::filesystem::exists(folder / "out \"1\" #.png"));
+}
+
+TEST_CASE("what is wrong with a script's quotes, and with names in them, is told with its place") {
+    const test::Folder folder;
+    test::write(folder / "open.script", "size 500x400\r\n  open \"my scene\r\n");
+    test::check_refused(folder, {"view", "--script", "open.script"}, 1,
+                        {"open.script:2:3: error: ", "'\"my scene'", "closed"});
+    test::write(folder / "none.script", "open 'no such scene'\n");
+    test::check_refused(folder, {"view", "--script", "none.script"}, 1, {"none.script:1:1: error: ", "no such scene"});
+    test::write(
+        folder / "deep.toml", "a" + [] {
+            std::string dots;
+            for (int k = 0; k < 40000; ++k) dots += ".b";
+            return dots;
+        }() + " = 1\n");
+    test::write(folder / "deep.script", "open deep.toml\n");
+    test::check_refused(folder, {"view", "--script", "deep.script"}, 1,
+                        {"deep.script:1:1: error: ", "deep.toml:1:", "100 levels"});
+}
