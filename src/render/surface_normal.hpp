@@ -46,7 +46,8 @@ Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
     const auto& [A, B, C] = convert<double>(triangle);
     if (has_ordinary_square(cross(B - A, C - A))) return normal(triangle);
     // Halves of coordinates do not overflow when they are subtracted.
-    const bool too_large = !is_finite(B - A) || !is_finite(C - A);
+    const auto overflows = [](const Vec3<Real>& difference) { return !is_finite(convert<double>(difference)); };
+    const bool too_large = overflows(triangle.B - triangle.A) || overflows(triangle.C - triangle.A);
     const auto edge = [&](const Vec3<Real>& from, const Vec3<Real>& to) {
         const Vec3<Real> difference = too_large ? Real(0.5) * to - Real(0.5) * from : to - from;
         const int e = exponent(difference);
