@@ -402,6 +402,12 @@ CompileError with_its_cause(CompileError error, const std::function<std::optiona
 }
 
 Error error_in_ours(const Outcome& compilation, const fs::path& source) {
+    if (compilation.end == End::deadline)
+        return error_at(
+            {source.string()},
+            fmt::format("cannot be compiled: it takes more than {:g} s; is this machine busy with something "
+                        "else? Try again when it is not",
+                        std::chrono::duration<double>(compilation.limits.time).count()));
     const std::optional<CompileError> error = compile_error(compilation, {}, {});
     if (!error || error->place.file.empty())
         return error_at({source.string()},
