@@ -304,11 +304,14 @@ Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth, 
     else
         result = {.value = static_cast<double>(step.value),
                   .recorded = step.value,
+                  .error = infinity,
                   .truth = not_a_number,
                   .distance = not_a_number,
                   .bits_lost = not_a_number,
                   .known = Known::not_at_all};
-    if (truth && is_comparison(step.operation)) result.bits_lost = 0;
+    const bool compares = is_comparison(step.operation);
+    if (!truth && !compares) return result;  // nothing is near to what is not there
+    if (truth && compares) result.bits_lost = 0;
     const double beyond = beyond_double(step.value);
     result.error = beyond == 0 ? bound.error : Bounded::up(bound.error + beyond);
     return result;

@@ -21,8 +21,9 @@ enum class Known {
 struct Checked {
     double value = 0;          ///< as recorded; a long double rounded to double
     long double recorded = 0;  ///< the same, to the last digit
-    double error = 0;      ///< |value − truth| is at most this, proven by running bounds; infinite: nothing is proven
-    double truth = 0;      ///< the true value, rounded once
+    double error = 0;  ///< |value − truth| is at most this, proven by running bounds; infinite: nothing is proven, or
+                       ///< there is no truth
+    double truth = 0;  ///< the true value, rounded once
     double distance = 0;   ///< |value − truth|, rounded once
     double bits_lost = 0;  ///< log2(ulps + 1), the distance in units of the value's last place; at most its digits
     int sign = 0;          ///< of the truth

@@ -111,6 +111,18 @@ TEST_CASE("a truth that long floats do not tell from the number has lost no bit"
     CHECK(four.bits_lost == 0);
 }
 
+TEST_CASE("a root that truly is none has no bound") {
+    Tape tape(Precision::of<float>());
+    const auto one = Recorded<float>::input(tape, 1, "1"), less = Recorded<float>::input(tape, -1 - 0x1p-40, "less");
+    const Recorded<float> sum = one + less, root = sqrt(sum);  // -1 - 2^-40 is no float: the sum is 0, truly -2^-40
+    const std::vector<Checked> checked = replay(tape);
+    CHECK(checked[sum.step()].value == 0);
+    CHECK(checked[sum.step()].truth == -0x1p-40);
+    CHECK(checked[root.step()].value == 0);
+    CHECK(checked[root.step()].known == Known::not_at_all);
+    CHECK(std::isinf(checked[root.step()].error));
+}
+
 TEST_CASE("powers: within bounds, whatever is not known of the base") {
     Tape tape;
     const Recorded<double> third = Recorded<double>::input(tape, 1, "1") / 3;

@@ -16,7 +16,7 @@ using namespace glassbox;
 namespace {
 
 std::vector<std::byte> exr_of(std::span<const Plane> planes) {
-    static const Measurement any{"any", "", "", Scale::sequential, {}, {}, {}};
+    static const Measurement any{"any", "", "", Scale::sequential, Source::hit, {}, {}, {}};
     const Measured measured{&any, planes};
     return exr({&measured, 1});
 }

@@ -21,11 +21,11 @@ constexpr std::string_view three[] = {"normal.x", "normal.y", "normal.z"};
 constexpr std::string_view explanation =
     "a long explanation, which certainly has to be wrapped when the picture is small";
 
-const Measurement sequential{"value", "|D|", explanation, Scale::sequential, {}, one, {}};
-const Measurement sequential_fixed{"value", "length² |D|²", explanation, Scale::sequential, std::pair{0.0, 1.0}, one,
-                                   {}};
-const Measurement diverging{"value", "", explanation, Scale::diverging, {}, one, {}};
-const Measurement direction{"normal", "", explanation, Scale::direction, std::pair{-1.0, 1.0}, three, {}};
+const Measurement sequential{"value", "|D|", explanation, Scale::sequential, Source::hit, {}, one, {}};
+const Measurement sequential_fixed{"value",     "length² |D|²",      explanation, Scale::sequential,
+                                   Source::hit, std::pair{0.0, 1.0}, one,         {}};
+const Measurement diverging{"value", "", explanation, Scale::diverging, Source::hit, {}, one, {}};
+const Measurement direction{"normal", "", explanation, Scale::direction, Source::hit, std::pair{-1.0, 1.0}, three, {}};
 
 Plane row(std::vector<double> values) {
     const int width = static_cast<int>(values.size());

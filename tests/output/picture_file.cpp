@@ -105,7 +105,7 @@ TEST_CASE("a stopped picture is not written") {
 TEST_CASE("measurements are written in every format") {
     const Folder folder;
     static constexpr std::string_view names[] = {"depth"};
-    const Measurement what{"depth", "|D|", "t of the nearest surface", Scale::sequential, {}, names, {}};
+    const Measurement what{"depth", "|D|", "t of the nearest surface", Scale::sequential, Source::hit, {}, names, {}};
     const Plane plane{"depth", 2, 1, {1.5, no_value}};
     const Measured measured{&what, {&plane, 1}};
     for (const std::string name : {"m.csv", "m.png", "m.ppm", "m.exr"})

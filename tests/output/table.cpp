@@ -12,7 +12,7 @@ using namespace glassbox;
 namespace {
 
 std::string table_of(std::span<const Plane> planes) {
-    static const Measurement any{"any", "", "", Scale::sequential, {}, {}, {}};
+    static const Measurement any{"any", "", "", Scale::sequential, Source::hit, {}, {}, {}};
     const Measured measured{&any, planes};
     std::string text;
     table({&measured, 1}, [&](std::span<const std::byte> piece) {

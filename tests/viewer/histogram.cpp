@@ -15,9 +15,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view one[] = {"value"};
-const Measurement sequential{"value", "", "", Scale::sequential, {}, one, {}};
-const Measurement diverging{"value", "", "", Scale::diverging, {}, one, {}};
-const Measurement cosine{"value", "", "", Scale::diverging, std::pair{-1.0, 1.0}, one, {}};
+const Measurement sequential{"value", "", "", Scale::sequential, Source::hit, {}, one, {}};
+const Measurement diverging{"value", "", "", Scale::diverging, Source::hit, {}, one, {}};
+const Measurement cosine{"value", "", "", Scale::diverging, Source::hit, std::pair{-1.0, 1.0}, one, {}};
 
 Plane row(std::vector<double> values) {
     const int width = static_cast<int>(values.size());
