@@ -35,8 +35,7 @@ public:
     /// scalar that found it.
     template <class Real>
     void judge(const Ray<double>& ray, PixelNumbers& numbers) const {
-        if (!is_valid(ray)) return;
-        const TrueHits found = true_hits(ray);
+        const TrueHits found = is_valid(ray) ? true_hits(ray) : TrueHits{};
         numbers.verdict = !found.nearest && !numbers.surface   ? right
                           : !found.nearest                     ? wrong_hit
                           : !numbers.surface                   ? wrong_miss
