@@ -33,12 +33,10 @@ TEST_CASE("what is wrong with a script's quotes, and with names in them, is told
                         {"open.script:2:3: error: ", "'\"my scene'", "closed"});
     test::write(folder / "none.script", "open 'no such scene'\n");
     test::check_refused(folder, {"view", "--script", "none.script"}, 1, {"none.script:1:1: error: ", "no such scene"});
-    test::write(
-        folder / "deep.toml", "a" + [] {
-            std::string dots;
-            for (int k = 0; k < 40000; ++k) dots += ".b";
-            return dots;
-        }() + " = 1\n");
+    std::string deep = "a";
+    for (int k = 0; k < 40000; ++k) deep += ".b";
+    deep += " = 1\n";
+    test::write(folder / "deep.toml", deep);
     test::write(folder / "deep.script", "open deep.toml\n");
     test::check_refused(folder, {"view", "--script", "deep.script"}, 1,
                         {"deep.script:1:1: error: ", "deep.toml:1:", "100 levels"});
