@@ -76,7 +76,7 @@ std::string why(const Surface& surface, const Story& story) {
         case Fate::touched:
             return "missed: Δ = 0, a touch, no hit by levental-2014";
         case Fate::from_inside:
-            return fmt::format("missed: by levental-2014 only the nearer root counts, and {} lies behind", t());
+            return fmt::format("missed: its nearer root lies behind, {}", t());
         case Fate::outside:
             return "missed: side products of both signs, the line passes outside";
         case Fate::edge_on:
