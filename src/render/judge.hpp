@@ -35,7 +35,8 @@ public:
     /// scalar that found it.
     template <class Real>
     void judge(const Ray<double>& ray, PixelNumbers& numbers) const {
-        const TrueHits found = is_valid(ray) ? true_hits(ray) : TrueHits{};
+        if (!is_valid(ray)) return;
+        const TrueHits found = true_hits(ray);
         numbers.verdict = !found.nearest && !numbers.surface   ? right
                           : !found.nearest                     ? wrong_hit
                           : !numbers.surface                   ? wrong_miss
