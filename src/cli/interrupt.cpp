@@ -12,7 +12,7 @@ namespace glassbox {
 namespace {
 
 /// The destructor's own word that nothing is left to wait for. From anyone else it means nothing, as it always does.
-constexpr int wake = SIGURG;
+constexpr int wake_signal = SIGURG;
 
 /// What ends a program that does not care. Not here: SIGPIPE, which ends a filter in silence when its reader has seen
 /// enough, and what a fault of the program itself raises.
@@ -34,7 +34,7 @@ sigset_t awaited_signals() {
     sigemptyset(&set);
     for (const int signal : deadly)
         if (would_end_us(signal)) sigaddset(&set, signal);
-    sigaddset(&set, wake);
+    sigaddset(&set, wake_signal);
     return set;
 }
 
@@ -62,7 +62,7 @@ Interrupt::~Interrupt() {
         work_is_over_ = true;
     }
     over_.notify_one();
-    pthread_kill(waiter_.native_handle(), wake);
+    pthread_kill(waiter_.native_handle(), wake_signal);
     waiter_.join();
 }
 
@@ -77,8 +77,8 @@ Interrupt::Ending Interrupt::ending() const {
 
 void Interrupt::wait_for_signal(const sigset_t& awaited) {
     const auto is_over = [this] { return work_is_over_; };
-    int signal = wake;
-    while (signal == wake) {
+    int signal = wake_signal;
+    while (signal == wake_signal) {
         sigwait(&awaited, &signal);
         const std::lock_guard lock(mutex_);
         if (is_over()) return;

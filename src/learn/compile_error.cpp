@@ -160,14 +160,14 @@ struct Hindrance {
     std::string_view words, remedy;
     bool is_of_reading_too = false;  ///< a file to be read may meet with the same
 };
-constexpr std::string_view elsewhere = "name another folder with --folder, and for the compiler's own with TMPDIR";
+constexpr std::string_view other_places = "name another folder with --folder, and for the compiler's own with TMPDIR";
 constexpr std::array hindrances{
     Hindrance{"No space left on device", "free some space there, and where temporary files are made"},
     Hindrance{"Disk quota exceeded", "delete some files of yours, or ask for more space"},
-    Hindrance{"Read-only file system", elsewhere},
+    Hindrance{"Read-only file system", other_places},
     Hindrance{"Input/output error", "look at that disk"},
-    Hindrance{"Permission denied", elsewhere, true},
-    Hindrance{"Operation not permitted", elsewhere, true},
+    Hindrance{"Permission denied", other_places, true},
+    Hindrance{"Operation not permitted", other_places, true},
     Hindrance{"Too many open files", "close other programs", true},
 };
 
