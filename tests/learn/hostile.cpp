@@ -281,6 +281,9 @@ TEST_CASE("what is taken away while one works is made anew") {
 
 TEST_CASE("a header that is not there, or is no file, is refused with a way out") {
     make_starters(victim().workspace(), victim().exercise());
+    for (const std::string& name : victim().exercise().headers)
+        fs::copy_file(victim().workspace().solution(victim().exercise(), name),
+                      victim().workspace().header(victim().exercise(), name), fs::copy_options::overwrite_existing);
     const fs::path header = victim().header();
     const auto refusal = [&] { return message_of<Error>([] { victim().learner().test(victim().exercise()); }); };
     fs::remove(header);

@@ -128,6 +128,7 @@ TEST_CASE("what is not begun, deleted or not written is told, and how to go on")
                     "return not_written<Roots<Real>>(\"Stable\");\n        const Vec3<Real> d = ray.D;");
     learner.write(spheres, "crossing.hpp", learner.solution(spheres, "crossing.hpp"));
     news = learner.draw(spheres, scene, in_double(2));
+    INFO(news.words);
     CHECK(news.words.find("`Stable` is not written yet (") == 0);
     CHECK(news.words.find("until it is, another rule can be chosen in the controls") != std::string::npos);
     Options textbook = in_double(2);

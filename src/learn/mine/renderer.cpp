@@ -6,8 +6,9 @@
 // standard's.
 #include "learn/mine/prelude.hpp"  // first, and precompiled
 
+#include <not_written.hpp>  // before the learner's headers, which may call it without
+
 #include <levental_2014.hpp>
-#include <not_written.hpp>
 #include <sphere.hpp>
 #include <triangle.hpp>
 
