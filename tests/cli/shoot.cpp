@@ -74,14 +74,17 @@ TEST_CASE("a row a ray, counted from 0, in their order; none for no rays") {
     CHECK(folder.shoot(many, {"--threads", "3"}) == hits);
 }
 
-TEST_CASE("how tables of numbers are written elsewhere: hexadecimal, spaces, Windows, old Macs, blank lines, no last newline") {
+TEST_CASE(
+    "how tables of numbers are written elsewhere: hexadecimal, spaces, Windows, old Macs, blank lines, no last "
+    "newline") {
     const Workplace folder;
     const std::string hit = "0,hit,2,1,,,1\n";
     for (const char* rays :
          {"ox,oy,oz,dx,dy,dz\n1.5,1,-6,0,0,-1", "ox,oy,oz,dx,dy,dz\n0x1.8p0,0x1P+0,-0X6,0,-0,-0x10p-4\n",
-          "ox,oy,oz,dx,dy,dz\r\n1.5,1,-6,0,0,-1\r\n", "ox,oy,oz,dx,dy,dz\r1.5,1,-6,0,0,-1\r", "\xef\xbb\xbfox,oy,oz,dx,dy,dz\n1.5,1,-6,0,0,-1\n",
-          "ox, oy, oz, dx, dy, dz\n 1.5 ,\t1 , -6, 0, 0, -1 \n", "ox,oy,oz,dx,dy,dz\n\n  \n1.5,1,-6,0,0,-1\n\n\n",
-          "ox,oy,oz,dx,dy,dz\n+1.5,+1e0,-600e-2,.0,0.,-1\n", "ox,oy,oz,dx,dy,dz\n1.5,1,-6,1e-999,0,-1\n"})
+          "ox,oy,oz,dx,dy,dz\r\n1.5,1,-6,0,0,-1\r\n", "ox,oy,oz,dx,dy,dz\r1.5,1,-6,0,0,-1\r",
+          "\xef\xbb\xbfox,oy,oz,dx,dy,dz\n1.5,1,-6,0,0,-1\n", "ox, oy, oz, dx, dy, dz\n 1.5 ,\t1 , -6, 0, 0, -1 \n",
+          "ox,oy,oz,dx,dy,dz\n\n  \n1.5,1,-6,0,0,-1\n\n\n", "ox,oy,oz,dx,dy,dz\n+1.5,+1e0,-600e-2,.0,0.,-1\n",
+          "ox,oy,oz,dx,dy,dz\n1.5,1,-6,1e-999,0,-1\n"})
         CHECK_MESSAGE(folder.shoot(rays) == hit, rays);
 }
 
