@@ -10,7 +10,7 @@ NearestHits::NearestHits(const Scene& scene)
 namespace {
 
 struct Tracing {
-    FastSearch<Stable, Pluecker> search;
+    FastSearch search;
     View view;
     const Scene& scene;
     NearestHits& hits;

@@ -58,7 +58,7 @@ auto record_hit(Tape& tape, Heard<Real>& heard, const Verdict& verdict, const Op
                 const Rule& rule) {
     const Ray<Recorded<Real>> ray = input<Real>(tape, verdict.ray);
     const auto recorded = input<Real>(tape, shape);
-    const Crossing<Recorded<Real>> crossing = intersect(ray, recorded, rule, heard);
+    const Crossing<Recorded<Real>> crossing = intersect(ray, recorded, Chosen{rule}, heard);
     const std::size_t test_steps = tape.steps().size();
     const bool by_exact = is_proven(options.scalar) && static_cast<double>(crossing.t.value()) != verdict.nearest->t;
     const Recorded<Real> t = by_exact ? Recorded<Real>::input(tape, verdict.nearest->t, "t") : crossing.t;
@@ -167,8 +167,8 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
     hit.t = look(at_hit.t);
     hit.t_by_exact = at_hit.t_by_exact;
     if (hit.t_by_exact && detail == Detail::whole)
-        if (const std::optional<Exact> truth = exact_crossing(verdict.ray, shape, rule))
-            hit.t = checked(verdict.nearest->t, *truth);
+        if (const std::optional<TrueT> truth = exact_crossing(verdict.ray, shape, rule))
+            hit.t = checked(verdict.nearest->t, truth->exact());
     hit.point = look(point);
     hit.normal = look(n);
     if (shade) hit.shade = shade_story(scene, look, heard, *shade, own);
@@ -183,13 +183,13 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
 ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
                   Rgb own_color, Detail detail) {
     return surfaces.with_surface(verdict.nearest->surface, [&]<class Shape>(const Shape& shape) {
-        const auto tell = [&](const auto& rule) {
-            return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
+        return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
+            const auto tell = [&](const auto& rule) {
                 return told_hit<Real>(scene, options, verdict, own_color, detail, shape, rule);
-            });
-        };
-        if constexpr (std::is_same_v<Shape, Sphere<double>>) return std::visit(tell, options.sphere_rule);
-        else return std::visit(tell, options.triangle_rule);
+            };
+            if constexpr (std::is_same_v<Shape, Sphere<double>>) return tell(options.sphere_rule);
+            else return tell(options.triangle_rule);
+        });
     });
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "explain/words.hpp"
+#include "numerics/dyadic.hpp"
 #include "numerics/printed_bound.hpp"
 
 namespace glassbox {
@@ -42,7 +43,7 @@ std::string bound(std::string_view printed, const Number& n, int digits) {
     if (!has_bound(n)) return "± unknown";
     const std::string error = bound_beside(printed, n.value, n.error, digits);
     if (error == "0") return "exact";
-    return n.error == 0 && shortest(n.value) == Decimal(printed).text() ? "exact as a double" : "± " + error;
+    return n.error == 0 && is_shortest(printed, n.value) ? "exact as a double" : "± " + error;
 }
 
 std::string truth(const Number& n) {

@@ -1,10 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "numerics/exact.hpp"
 #include "numerics/tape.hpp"
 
 namespace glassbox {
+
+class Exact;
 
 /// How well the true value of a step is known.
 enum class Known {

@@ -66,13 +66,17 @@ struct Tested {
     Crossing<Recorded<Real>> crossing;
     std::vector<Checked> checked;
 
-    template <class Surface, class Rule>
-    Tested(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
-        crossing = intersect(input<Real>(tape, ray), input<Real>(tape, surface), rule, heard);
+    Tested(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) { record(ray, sphere, rule); }
+    Tested(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule) {
+        record(ray, triangle, rule);
     }
     Tested(const Tested&) = delete;  // the numbers know their tape by its address
     Tested& operator=(const Tested&) = delete;
 
+    template <class Surface, class Rule>
+    void record(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
+        crossing = intersect(input<Real>(tape, ray), input<Real>(tape, surface), Chosen{rule}, heard);
+    }
     void replay() { checked = glassbox::replay(tape); }
 
     Number operator()(const Recorded<Real>& number) const {
@@ -84,7 +88,7 @@ struct Tested {
 };
 
 template <class Real>
-RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const auto& rule) {
+RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
     Tested<Real> tested(ray, sphere, rule);
     tested.replay();
     return {tested(*tested.heard.discriminant), tested(tested.heard.t0), tested(tested.heard.t1)};
@@ -183,8 +187,8 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     result.fate = verdict.nearest && verdict.nearest->surface == number ? Fate::nearest : Fate::farther;
     const auto t = static_cast<double>(hit->t);
     if (!result.t || result.t->value != t) {
-        const std::optional<Exact> truth = exact_crossing(ray, shape, rule);
-        result.t = truth ? checked(t, *truth) : unchecked(t);
+        const std::optional<TrueT> truth = exact_crossing(ray, shape, rule);
+        result.t = truth ? checked(t, truth->exact()) : unchecked(t);
         if (!truth) result.t->known = Known::not_at_all;
     }
     return result;
@@ -194,9 +198,8 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
 template <class Use>
 auto with_rule(const engine::Engine& surfaces, std::size_t number, const Options& options, const Use& use) {
     return surfaces.with_surface(number, [&]<class Shape>(const Shape& shape) {
-        const auto by = [&](const auto& rule) { return use(shape, rule); };
-        if constexpr (std::is_same_v<Shape, Sphere<double>>) return std::visit(by, options.sphere_rule);
-        else return std::visit(by, options.triangle_rule);
+        if constexpr (std::is_same_v<Shape, Sphere<double>>) return use(shape, options.sphere_rule);
+        else return use(shape, options.triangle_rule);
     });
 }
 
@@ -208,7 +211,7 @@ bool are_as_near(const engine::Engine& surfaces, const Options& options, const V
         return with_rule(surfaces, number, options,
                          [&](const auto& shape, const auto& rule) { return exact_crossing(verdict.ray, shape, rule); });
     };
-    const std::optional<Exact> t = truth(one), other_t = truth(other);
+    const std::optional<TrueT> t = truth(one), other_t = truth(other);
     return t && other_t && compare(*t, *other_t) == 0;
 }
 

@@ -8,7 +8,7 @@
 #include "explain/shell_word.hpp"
 #include "learn/function_line.hpp"
 #include "learn/headers.hpp"
-#include "numerics/decimal.hpp"
+#include "numerics/printed_bound.hpp"
 #include "scene/printable.hpp"
 
 namespace glassbox::learn {
@@ -148,7 +148,7 @@ std::string ulps_text(const Failure& failure) {
     const auto [end, error] = std::from_chars(failure.ulps.data(), failure.ulps.data() + failure.ulps.size(), ulps);
     const bool same_sign = failure.expected.starts_with('-') == failure.got.starts_with('-');
     if (failure.ulps.empty() || error != std::errc{} || !(ulps < most) || !same_sign) return "";
-    return fmt::format("{} {} in the last place)", Decimal(ulps).rounded_up(3).text(),
+    return fmt::format("{} {} in the last place)", rounded_up(ulps, 3),
                        ulps == 1 ? "ulp (unit" : "ulps (units");
 }
 

@@ -37,15 +37,14 @@ inline ListedSurfaces listed(Surfaces<double> surfaces, const Reach& reach, bool
 }
 
 /// Finds what a ray meets first by testing all surfaces, one after the other, and is right: see Prover.
-template <class SphereRoots, class TriangleTest>
 class CertifiedSearch {
 public:
     using Number = double;
 
     /// `reach` must cover all rays that will be traced. With `only_exact` nothing is left to bounds.
-    CertifiedSearch(Surfaces<double> surfaces, const SphereRoots& sphere_roots, const TriangleTest& triangle_test,
+    CertifiedSearch(Surfaces<double> surfaces, const SphereRule& sphere_rule, const TriangleRule& triangle_rule,
                     const Reach& reach, bool only_exact)
-        : prover_(listed(std::move(surfaces), reach, only_exact), sphere_roots, triangle_test, only_exact) {}
+        : prover_(listed(std::move(surfaces), reach, only_exact), sphere_rule, triangle_rule, only_exact) {}
 
     /// `ray` must be valid.
     template <class Probe>
@@ -69,12 +68,12 @@ public:
 
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }
     Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return prover_.sharpened(ray, hit); }
-    std::optional<Exact> true_t(const Ray<double>& ray, std::size_t surface) const {
+    std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
         return prover_.true_t(ray, surface);
     }
 
 private:
-    Prover<SphereRoots, TriangleTest, ListedSurfaces> prover_;
+    Prover<ListedSurfaces> prover_;
 };
 
 }  // namespace glassbox

@@ -2,43 +2,35 @@
 
 #include <probe.hpp>
 
+#include "numerics/exact.hpp"
+
 namespace glassbox {
 
 namespace {
 
 template <class Surface, class Rule>
-std::optional<Exact> crossing(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
+std::optional<TrueT> crossing(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
     const Silent silent;
     Crossing<Exact> exact = intersect(convert<Exact>(ray), convert<Exact>(surface), rule, silent);
     if (!surely(exact.met)) return {};
-    return std::move(exact.t);
+    return TrueT(std::move(exact.t));
 }
 
 }  // namespace
 
-std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Textbook& roots) {
-    return crossing(ray, sphere, roots);
+TrueT::TrueT(Exact t) : t_(std::make_shared<const Exact>(std::move(t))) {}
+
+Bounded TrueT::to_bounded() const { return t_->to_bounded(); }
+
+int compare(const TrueT& a, const TrueT& b) { return compare(*a.t_, *b.t_); }
+
+std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
+    return crossing(ray, sphere, Chosen{rule});
 }
 
-std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Stable& roots) {
-    return crossing(ray, sphere, roots);
-}
-
-std::optional<Exact> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const Levental2014& roots) {
-    return crossing(ray, sphere, roots);
-}
-
-std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const Pluecker& test) {
-    return crossing(ray, triangle, test);
-}
-
-std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const Tolerance& test) {
-    return crossing(ray, triangle, test);
-}
-
-std::optional<Exact> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle,
-                                    const MoellerTrumbore& test) {
-    return crossing(ray, triangle, test);
+std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle,
+                                    const TriangleRule& rule) {
+    return crossing(ray, triangle, Chosen{rule});
 }
 
 }  // namespace glassbox

@@ -51,14 +51,13 @@ concept HearsBoxes = requires {
 ///
 /// A probe that listens to tests hears those that are made: of all surfaces in a leaf, each by the core's own formula.
 /// For one that does not, vectors first sort out what is surely missed.
-template <class SphereRoots, class TriangleTest>
 class FastSearch {
 public:
     using Number = double;
 
-    FastSearch(std::shared_ptr<const engine::Engine> engine, const SphereRoots& sphere_roots,
-               const TriangleTest& triangle_test)
-        : prover_({std::move(engine)}, sphere_roots, triangle_test, false) {}
+    FastSearch(std::shared_ptr<const engine::Engine> engine, const SphereRule& sphere_rule,
+               const TriangleRule& triangle_rule)
+        : prover_({std::move(engine)}, sphere_rule, triangle_rule, false) {}
 
     const engine::Engine& engine() const { return *prover_.store().engine; }
 
@@ -96,7 +95,7 @@ public:
     double t_of(const Ray<double>& ray, std::size_t surface) const { return prover_.t_of(ray, surface); }
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }
     Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return prover_.sharpened(ray, hit); }
-    std::optional<Exact> true_t(const Ray<double>& ray, std::size_t surface) const {
+    std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
         return prover_.true_t(ray, surface);
     }
 
@@ -151,7 +150,7 @@ private:
         }
     };
 
-    Prover<SphereRoots, TriangleTest, EngineSurfaces> prover_;
+    Prover<EngineSurfaces> prover_;
 };
 
 }  // namespace glassbox

@@ -1,8 +1,8 @@
 #include "render/judge.hpp"
 
 #include "engine/kernels.hpp"
+#include "numerics/bits_lost.hpp"
 #include "numerics/bounded.hpp"
-#include "render/exact_crossing.hpp"
 
 namespace glassbox {
 
@@ -28,7 +28,7 @@ public:
             const Silent silent;
             const Crossing<Bounded> crossing = intersect(bounded_, convert<Bounded>(shape), rule_for(shape), silent);
             if (!possibly(crossing.met)) return;
-            std::optional<Exact> t;
+            std::optional<TrueT> t;
             if (!surely(crossing.met)) {
                 t = exact_crossing(ray_, shape, rule_for(shape));
                 if (!t) return;
@@ -48,10 +48,10 @@ private:
     struct Met {
         std::size_t surface;
         Bounded t;
-        std::optional<Exact> exact;
+        std::optional<TrueT> exact;
     };
 
-    Exact exact_t(const Met& met) const {
+    TrueT exact_t(const Met& met) const {
         if (met.exact) return *met.exact;
         return *engine_.with_surface(met.surface,
                                      [&](const auto& shape) { return exact_crossing(ray_, shape, rule_for(shape)); });
@@ -82,6 +82,13 @@ float ask_leaf(void* state, std::uint32_t leaf, float until) {
     return until;
 }
 
+/// How many bits of a t that was found in a scalar are lost.
+double lost(long double t, const Exact& truth, Scalar scalar) {
+    if (scalar == Scalar::float_) return bits_lost(static_cast<float>(t), truth);
+    if (scalar == Scalar::long_double) return bits_lost(t, truth);
+    return bits_lost(static_cast<double>(t), truth);
+}
+
 }  // namespace
 
 TrueHits Judge::true_hits(const Ray<double>& ray) const {
@@ -96,6 +103,18 @@ TrueHits Judge::true_hits(const Ray<double>& ray) const {
     engine::WalkCounts counts;
     engine::walk(engine_->hierarchy(), *boxes, std::numeric_limits<float>::infinity(), ask_leaf, &state, counts);
     return search.result();
+}
+
+void Judge::judge(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const {
+    constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
+    if (!is_valid(ray)) return;
+    const TrueHits found = true_hits(ray);
+    numbers.verdict = !found.nearest && !numbers.surface   ? right
+                      : !found.nearest                     ? wrong_hit
+                      : !numbers.surface                   ? wrong_miss
+                      : *numbers.surface == *found.nearest ? right
+                                                           : wrong_surface;
+    if (found.nearest && numbers.verdict == right) numbers.bits_lost = lost(numbers.found_t, found.t->exact(), scalar);
 }
 
 }  // namespace glassbox

@@ -2,7 +2,8 @@
 #include <memory>
 
 #include "engine/engine.hpp"
-#include "numerics/bits_lost.hpp"
+#include "render/exact_crossing.hpp"
+#include "render/options.hpp"
 #include "render/pixel_numbers.hpp"
 
 namespace glassbox {
@@ -11,7 +12,7 @@ namespace glassbox {
 struct TrueHits {
     std::size_t hits = 0;                ///< surfaces that it meets
     std::optional<std::size_t> nearest;  ///< of those at the same distance the one listed last
-    Exact t;                             ///< of the nearest
+    std::optional<TrueT> t;              ///< of the nearest
 };
 
 /// Finds what rays truly meet, to hold against it what a search found. It shares none of a search's short cuts: each
@@ -31,24 +32,11 @@ public:
     /// How many surfaces the ray meets.
     double hits(const Ray<double>& ray) const { return is_valid(ray) ? static_cast<double>(true_hits(ray).hits) : 0; }
 
-    /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `Real` is the
-    /// scalar that found it.
-    template <class Real>
-    void judge(const Ray<double>& ray, PixelNumbers& numbers) const {
-        if (!is_valid(ray)) return;
-        const TrueHits found = true_hits(ray);
-        numbers.verdict = !found.nearest && !numbers.surface   ? right
-                          : !found.nearest                     ? wrong_hit
-                          : !numbers.surface                   ? wrong_miss
-                          : *numbers.surface == *found.nearest ? right
-                                                               : wrong_surface;
-        if (found.nearest && numbers.verdict == right)
-            numbers.bits_lost = bits_lost(static_cast<Real>(numbers.found_t), found.t);
-    }
+    /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `scalar` is the
+    /// one that found it.
+    void judge(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const;
 
 private:
-    static constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
-
     std::shared_ptr<const engine::Engine> engine_;
 };
 

@@ -12,19 +12,6 @@ namespace glassbox {
 
 namespace {
 
-/// Calls `use` with a value of the scalar's type.
-template <class Use>
-void with_number(Scalar scalar, const Use& use) {
-    switch (scalar) {
-        case Scalar::float_:
-            return use(float{});
-        case Scalar::long_double:
-            return use(0.0L);
-        default:
-            return use(double{});
-    }
-}
-
 std::vector<Plane> empty_planes(const Measurement& measurement, int width, int height) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     std::vector<Plane> planes;
@@ -98,7 +85,7 @@ std::vector<std::vector<Plane>> measured_by(const Scene& scene, Options options,
         if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
         if (count_hits) numbers.hits = judge->hits(ray);
-        if (needs.truth) with_number(options.scalar, [&]<class Real>(Real) { judge->judge<Real>(ray, numbers); });
+        if (needs.truth) judge->judge(ray, options.scalar, numbers);
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
         for (std::size_t m = 0; m < wanted.size(); ++m) {

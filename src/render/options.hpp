@@ -1,12 +1,9 @@
 #pragma once
-#include <type_traits>
-#include <variant>
 #include <vector>
 
-#include <levental_2014.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
 #include <turn.hpp>
+
+#include "render/rules.hpp"
 
 namespace glassbox {
 
@@ -22,14 +19,6 @@ enum class Engine {
     plain,      ///< all, one after the other
     fast,       ///< those that a hierarchy of boxes leaves over; for proven answers by the rules that are geometry
 };
-
-using SphereRule = std::variant<Stable, Textbook, Levental2014>;
-using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;
-
-/// Whether a rule is geometry: without rounding it meets a surface where that is, and nowhere else. What the paper's
-/// program has instead is history.
-template <class Rule>
-inline constexpr bool is_geometry = !std::is_same_v<Rule, Levental2014> && !std::is_same_v<Rule, Tolerance>;
 
 /// How a scene is traced.
 struct Options {

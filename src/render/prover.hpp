@@ -8,6 +8,7 @@
 
 #include "numerics/filter.hpp"
 #include "render/exact_crossing.hpp"
+#include "render/rules.hpp"
 #include "render/surface_normal.hpp"
 #include "render/surfaces.hpp"
 
@@ -32,14 +33,14 @@ struct ProvenHit {
 ///
 /// `Store` keeps the surfaces: `with_surface(number, use)` calls `use` with one of them, and `errors(surface, number,
 /// ray)` bounds the rounding of the doubles that decide about it.
-template <class SphereRoots, class TriangleTest, class Store>
+template <class Store>
 class Prover {
 public:
     /// With `only_exact` nothing is left to bounds.
-    Prover(Store store, const SphereRoots& sphere_roots, const TriangleTest& triangle_test, bool only_exact)
+    Prover(Store store, const SphereRule& sphere_rule, const TriangleRule& triangle_rule, bool only_exact)
         : store_(std::move(store)),
-          sphere_roots_(sphere_roots),
-          triangle_test_(triangle_test),
+          sphere_rule_{sphere_rule},
+          triangle_rule_{triangle_rule},
           only_exact_(only_exact) {}
 
     const Store& store() const { return store_; }
@@ -48,7 +49,7 @@ public:
     template <class Shape, class Probe>
     void test(std::optional<ProvenHit>& best, const Ray<double>& ray, const Shape& shape, std::size_t surface,
               Probe& probe) const {
-        Evidence evidence{probe};
+        Evidence evidence{probe, sides_decide()};
         intersect(ray, shape, rule_for(shape), evidence);
         if (!(evidence.of_a_miss > deciding(store_.errors(shape, surface, ray)))) consider(best, ray, surface, probe);
     }
@@ -81,9 +82,9 @@ public:
     }
 
     /// The true t of a surface, if the ray meets it.
-    std::optional<Exact> true_t(const Ray<double>& ray, std::size_t surface) const {
+    std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface,
-                         [&](const auto& shape, const auto& rule) { return exact_crossing(ray, shape, rule); });
+                         [&](const auto& shape, const auto& rule) { return exact_crossing(ray, shape, rule.rule); });
     }
 
     /// The unit normal where the ray meets a surface.
@@ -98,6 +99,7 @@ private:
     template <class Probe>
     struct Evidence {
         Probe& listener;
+        bool sides_decide;
         double of_a_miss = -1, of_a_hit = -1;
 
         template <class What, class... Values>
@@ -106,28 +108,33 @@ private:
                 of_a_miss = -(values, ...);
                 of_a_hit = (values, ...);
             }
-            if constexpr (std::is_same_v<What, told::Sides> && std::is_same_v<TriangleTest, Pluecker>) {
-                of_a_miss = std::min(std::max({values...}), -std::min({values...}));
-                of_a_hit = std::max(std::min({values...}), -std::max({values...}));
+            if constexpr (std::is_same_v<What, told::Sides>) {
+                if (sides_decide) {
+                    of_a_miss = std::min(std::max({values...}), -std::min({values...}));
+                    of_a_hit = std::max(std::min({values...}), -std::max({values...}));
+                }
             }
             listener(what, values...);
         }
     };
     template <class Probe>
-    Evidence(Probe&) -> Evidence<Probe>;
+    Evidence(Probe&, bool) -> Evidence<Probe>;
+
+    /// Whether the side products are all that decides about a triangle.
+    bool sides_decide() const { return std::holds_alternative<Pluecker>(triangle_rule_.rule); }
 
     static double deciding(const filter::SphereErrors& errors) { return errors.discriminant; }
     static double deciding(const filter::TriangleErrors& errors) { return errors.side; }
 
-    const SphereRoots& rule_for(const Sphere<double>&) const { return sphere_roots_; }
-    const TriangleTest& rule_for(const Triangle<double>&) const { return triangle_test_; }
+    const Chosen<SphereRule>& rule_for(const Sphere<double>&) const { return sphere_rule_; }
+    const Chosen<TriangleRule>& rule_for(const Triangle<double>&) const { return triangle_rule_; }
 
     /// What plain double says, if it is a hit for sure. Done again for the few surfaces that are not missed: the loop
     /// over all of them is faster when it need not keep t.
     std::optional<ProvenHit> sure_hit(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface, [&](const auto& shape, const auto& rule) -> std::optional<ProvenHit> {
             const Silent silent;
-            Evidence evidence{silent};
+            Evidence evidence{silent, sides_decide()};
             const Crossing<double> plain = intersect(ray, shape, rule, evidence);
             if (!plain.met) return {};
             const auto& errors = store_.errors(shape, surface, ray);
@@ -139,9 +146,9 @@ private:
     /// Where Δ is surely positive and P surely outside, v² − r² > 0, (v·D)² = Δ + D²(v² − r²) is so far from 0 that v·D
     /// has the right sign, too: both roots lie on the side that it tells. Where P is surely inside, one root lies
     /// ahead. Stable finds roots of the right signs in both cases; Textbook, which cancels, need not.
-    static bool is_sure(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
-                        double discriminant) {
-        if (!std::is_same_v<SphereRoots, Stable> || !(discriminant > errors.discriminant)) return false;
+    bool is_sure(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
+                 double discriminant) const {
+        if (!std::holds_alternative<Stable>(sphere_rule_.rule) || !(discriminant > errors.discriminant)) return false;
         const Vec3<double> v = ray.P - sphere.c;
         return std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power;
     }
@@ -201,7 +208,7 @@ private:
             if (surely(bounded.met)) return hit(bounded.t);
         }
         probe(told::Undecided{}, surface);
-        const std::optional<Exact> t = true_t(ray, surface);
+        const std::optional<TrueT> t = true_t(ray, surface);
         if (!t) return {};
         return hit(t->to_bounded());
     }
@@ -228,8 +235,8 @@ private:
     static constexpr double not_bounded = std::numeric_limits<double>::infinity();
 
     Store store_;
-    SphereRoots sphere_roots_;
-    TriangleTest triangle_test_;
+    Chosen<SphereRule> sphere_rule_;
+    Chosen<TriangleRule> triangle_rule_;
     bool only_exact_;
 };
 

@@ -13,9 +13,8 @@ std::shared_ptr<const engine::Engine> ready(const Scene& scene, int stage, int t
 /// Whether the engine answers as the options ask: it proves its answers, and knows surfaces by where they lie. Rules
 /// that are history hit triangles where they are not, and miss spheres where they are.
 inline bool engine_can(const Options& options) {
-    const auto by_geometry = []<class Rule>(const Rule&) { return is_geometry<Rule>; };
-    return options.scalar == Scalar::certified && std::visit(by_geometry, options.sphere_rule) &&
-           std::visit(by_geometry, options.triangle_rule);
+    return options.scalar == Scalar::certified && is_geometry(options.sphere_rule) &&
+           is_geometry(options.triangle_rule);
 }
 
 /// Whether it is used. Where tests are listened to, or all hits are wanted, small scenes are left to the plain loop:

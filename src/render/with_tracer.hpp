@@ -1,7 +1,6 @@
 #pragma once
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "render/certified_search.hpp"
 #include "render/fast_search.hpp"
@@ -18,30 +17,26 @@ namespace glassbox {
 /// `reach` covers all rays to come.
 template <class Probe, class Use>
 auto with_search(const Scene& scene, const Options& options, const Reach& reach, const Job& job, const Use& use) {
-    return std::visit(
-        [&]<class Roots, class Test>(const Roots& roots, const Test& test) {
-            const auto plain = [&]<class Real>(std::type_identity<Real>) {
-                return use(PlainSearch<Real, Roots, Test>{surfaces<Real>(scene, options.stage), roots, test});
-            };
-            switch (options.scalar) {
-                case Scalar::float_:
-                    return plain(std::type_identity<float>{});
-                case Scalar::double_:
-                    return plain(std::type_identity<double>{});
-                case Scalar::long_double:
-                    return plain(std::type_identity<long double>{});
-                case Scalar::certified:
-                case Scalar::exact:
-                    break;
-            }
-            if constexpr (is_geometry<Roots> && is_geometry<Test>)
-                if (uses_engine(scene, options, OnlyNearest<Probe> && OnlyVerdicts<Probe>))
-                    return use(FastSearch<Roots, Test>(
-                        job.engine ? job.engine : ready(scene, options.stage, job.threads), roots, test));
-            return use(CertifiedSearch<Roots, Test>(surfaces<double>(scene, options.stage), roots, test, reach,
-                                                    options.scalar == Scalar::exact));
-        },
-        options.sphere_rule, options.triangle_rule);
+    const auto plain = [&]<class Real>(std::type_identity<Real>) {
+        return use(PlainSearch<Real, Chosen<SphereRule>, Chosen<TriangleRule>>{
+            surfaces<Real>(scene, options.stage), {options.sphere_rule}, {options.triangle_rule}});
+    };
+    switch (options.scalar) {
+        case Scalar::float_:
+            return plain(std::type_identity<float>{});
+        case Scalar::double_:
+            return plain(std::type_identity<double>{});
+        case Scalar::long_double:
+            return plain(std::type_identity<long double>{});
+        case Scalar::certified:
+        case Scalar::exact:
+            break;
+    }
+    if (uses_engine(scene, options, OnlyNearest<Probe> && OnlyVerdicts<Probe>))
+        return use(FastSearch(job.engine ? job.engine : ready(scene, options.stage, job.threads), options.sphere_rule,
+                              options.triangle_rule));
+    return use(CertifiedSearch(surfaces<double>(scene, options.stage), options.sphere_rule, options.triangle_rule,
+                               reach, options.scalar == Scalar::exact));
 }
 
 /// Calls `use(tracer)` with the tracer that the options name.

@@ -53,7 +53,7 @@ int differences(const Case& c) {
     };
     const std::vector<Shot> plain = shoot(c.scene, by(Engine::plain), c.rays, {1, {}, nullptr});
     const std::vector<Shot> fast = shoot(c.scene, by(Engine::fast), c.rays, {1, {}, nullptr});
-    const FastSearch<Stable, Pluecker> nearest_only(ready(c.scene, 5, 1), {}, {});
+    const FastSearch nearest_only(ready(c.scene, 5, 1), {}, {});
     const Silent silent;
     for (std::size_t i = 0; i < c.rays.size(); ++i) {
         const Ray<double>& ray = c.rays[i];

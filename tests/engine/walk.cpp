@@ -53,7 +53,7 @@ TEST_CASE("the walk of lesson 7 meets what the engine meets, and the plain loop"
     for (const auto& sphere : all.spheres) boxes.push_back(engine::box_of(sphere, {0, 0, 0}));
     for (const auto& triangle : all.triangles) boxes.push_back(engine::box_of(triangle, {0, 0, 0}));
     const engine::Tree tree = engine::tree_over(boxes);
-    const FastSearch<Stable, Pluecker> certified(ready(scene, 5, 1), {}, {});
+    const FastSearch certified(ready(scene, 5, 1), {}, {});
 
     const Silent silent;
     Counting counting;

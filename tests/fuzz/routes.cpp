@@ -111,7 +111,7 @@ Route with_vectors(std::int64_t target, Route route) {
 Route walk() {
     return {"ray by ray",
             [](const Trial& trial) {
-                const FastSearch<Stable, Pluecker> search(trial.engine(), {}, {});
+                const FastSearch search(trial.engine(), {}, {});
                 return wrong_surface(trial, [&](std::size_t pixel) {
                     const Silent silent;
                     const auto hit = search.trace(trial.pixel_rays()[pixel], silent);

@@ -248,7 +248,7 @@ TEST_CASE("the ray's boxes are all those above the surfaces that it meets; the s
         rays.push_back({start, target - start});
         reach = reaching(reach, rays.back());
     }
-    const CertifiedSearch<Stable, Pluecker> plain(surfaces<double>(scene, 5), {}, {}, reach, false);
+    const CertifiedSearch plain(surfaces<double>(scene, 5), {}, {}, reach, false);
     std::size_t met_in_all = 0, skipped = 0;
     for (const Ray<double>& ray : rays) {
         MetSurfaces met;

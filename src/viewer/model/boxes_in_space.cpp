@@ -178,7 +178,7 @@ RayInBoxes ray_in_boxes(const std::shared_ptr<const engine::Engine>& engine, con
     const std::optional<engine::BoxRay> boxes = is_valid(ray) ? engine::box_ray(ray, *engine) : std::nullopt;
     result.walks = boxes.has_value();
     if (!result.walks) return result;
-    const FastSearch<Stable, Pluecker> search(engine, {}, {});
+    const FastSearch search(engine, {}, {});
     OpenedBoxes all;
     search.trace_proven(ray, all);
     if (!meets_all(*engine, *boxes)) std::erase(all.codes, 0u);
