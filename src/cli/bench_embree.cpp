@@ -42,8 +42,7 @@ std::pair<std::size_t, std::size_t> differences_from_plain(const Scene& scene, c
     const std::size_t pixels = hits.surface.size(), triangles = scene.meshes.front()->faces.size();
     const std::size_t step = std::max<std::size_t>(1, pixels * triangles / 4'000'000'000 * 2 + 1);
     const View seen = view(scene, {});
-    const CertifiedSearch plain(surfaces<double>(scene, 5), {}, {},
-                                                  reach(seen, scene.width, scene.height), false);
+    const CertifiedSearch plain(surfaces<double>(scene, 5), {}, {}, reach(seen, scene.width, scene.height), false);
     std::atomic<std::size_t> wrong = 0;
     const std::size_t rays = (pixels + step - 1) / step;
     for_each_index(rays, job, [&](std::size_t i) {

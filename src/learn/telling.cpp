@@ -148,8 +148,7 @@ std::string ulps_text(const Failure& failure) {
     const auto [end, error] = std::from_chars(failure.ulps.data(), failure.ulps.data() + failure.ulps.size(), ulps);
     const bool same_sign = failure.expected.starts_with('-') == failure.got.starts_with('-');
     if (failure.ulps.empty() || error != std::errc{} || !(ulps < most) || !same_sign) return "";
-    return fmt::format("{} {} in the last place)", rounded_up(ulps, 3),
-                       ulps == 1 ? "ulp (unit" : "ulps (units");
+    return fmt::format("{} {} in the last place)", rounded_up(ulps, 3), ulps == 1 ? "ulp (unit" : "ulps (units");
 }
 
 std::string error_text(const CompileError& error, const Paint& paint) {

@@ -16,7 +16,6 @@ namespace glassbox {
 
 namespace {
 
-
 /// The same number, of which the compiler knows nothing beforehand.
 template <class Real>
 Real given(Real number) {

@@ -32,8 +32,8 @@ public:
     /// How many surfaces the ray meets.
     double hits(const Ray<double>& ray) const { return is_valid(ray) ? static_cast<double>(true_hits(ray).hits) : 0; }
 
-    /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `scalar` is the
-    /// one that found it.
+    /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `scalar` is
+    /// the one that found it.
     void judge(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const;
 
 private:

@@ -38,10 +38,7 @@ class Prover {
 public:
     /// With `only_exact` nothing is left to bounds.
     Prover(Store store, const SphereRule& sphere_rule, const TriangleRule& triangle_rule, bool only_exact)
-        : store_(std::move(store)),
-          sphere_rule_{sphere_rule},
-          triangle_rule_{triangle_rule},
-          only_exact_(only_exact) {}
+        : store_(std::move(store)), sphere_rule_{sphere_rule}, triangle_rule_{triangle_rule}, only_exact_(only_exact) {}
 
     const Store& store() const { return store_; }
 

@@ -29,8 +29,7 @@ struct Counts {
 Counts check(const std::string& name, const Scene& scene, bool pixels_apart = true) {
     CAPTURE(name);
     const View seen = view(scene, {});
-    const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {},
-                                                  reach(seen, scene.width, scene.height), false);
+    const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {}, reach(seen, scene.width, scene.height), false);
     Counts counts;
     int wrong = 0, far_off = 0;
     trace_tiles(*ready(scene, 5, 1), seen, scene.width, scene.height, {1, {}, nullptr},
@@ -204,8 +203,8 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
             CHECK(counts.told > counts.pixels * 9 / 10);
             // Ray by ray, with the same vectors.
             const View seen = view(scene, {});
-            const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {},
-                                                          reach(seen, scene.width, scene.height), false);
+            const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {}, reach(seen, scene.width, scene.height),
+                                        false);
             const FastSearch fast(ready(scene, 5, 1), {}, {});
             int wrong = 0;
             for (int y = 0; y < scene.height; y += 3)
