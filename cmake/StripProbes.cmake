@@ -3,8 +3,8 @@
 #
 # As a script, copies one header and leaves out every statement `probe(told::…);`:
 #   cmake -D IN=… -D OUT=… -P StripProbes.cmake
-# Included, it makes the target core_without_probes, whose include directories are such copies of all five stages and of
-# what render/search.hpp needs, and behind these the source itself. They lie in a namespace of their own, so that one program can hold both.
+# Included, it makes the target core_without_probes, whose include directories are such copies of the first five stages and of
+# what render/search/plain_search.hpp needs, and behind these the source itself. They lie in a namespace of their own, so that one program can hold both.
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(READ ${IN} text)
   string(REGEX REPLACE "\n *probe\\(told::[^;]*\\);" "" text "${text}")
@@ -20,12 +20,12 @@ include_guard(GLOBAL)
 set(script ${CMAKE_CURRENT_LIST_FILE})
 get_filename_component(source ${CMAKE_CURRENT_LIST_DIR}/../src ABSOLUTE)
 set(stripped ${CMAKE_BINARY_DIR}/core_without_probes)
-file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${source} ${source}/core/*/*.hpp)
+file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${source} ${source}/core/[1-5]-*/*.hpp)
 set(stages ${headers})
 list(TRANSFORM stages REPLACE "/[^/]*$" "")
 list(REMOVE_DUPLICATES stages)
 list(TRANSFORM stages PREPEND ${stripped}/)
-list(APPEND headers render/search.hpp render/surface_normal.hpp render/surfaces.hpp scene/scene.hpp)
+list(APPEND headers render/search/plain_search.hpp render/search/surface_normal.hpp render/search/surfaces.hpp scene/scene.hpp)
 set(copies ${headers})
 list(TRANSFORM copies PREPEND ${stripped}/)
 foreach(header copy IN ZIP_LISTS headers copies)

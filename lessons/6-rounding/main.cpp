@@ -5,8 +5,8 @@
 #include <picture.hpp>
 #include <triangle.hpp>
 
-#include "numerics/bounded.hpp"
-#include "numerics/filter.hpp"
+#include <bounded.hpp>
+#include <filter.hpp>
 
 using namespace glassbox;
 

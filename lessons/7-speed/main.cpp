@@ -9,9 +9,9 @@
 #include <vector>
 #include <viewing_plane.hpp>
 
-#include "engine/box.hpp"
-#include "engine/tree.hpp"
-#include "engine/walk.hpp"
+#include <box.hpp>
+#include <tree.hpp>
+#include <walk.hpp>
 
 using namespace glassbox;
 

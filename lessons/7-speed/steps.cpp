@@ -13,11 +13,12 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
+#include <box.hpp>
+#include <slabs.hpp>
+#include <tree.hpp>
+#include <walk.hpp>
+
 #include "baseline.hpp"
-#include "engine/box.hpp"
-#include "engine/slabs.hpp"
-#include "engine/tree.hpp"
-#include "engine/walk.hpp"
 
 namespace glassbox {
 

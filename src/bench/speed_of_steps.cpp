@@ -7,14 +7,15 @@
 #include <probe.hpp>
 #include <steps.hpp>
 
+#include <tree.hpp>
+#include <walk.hpp>
+
 #include "bench/against_embree.hpp"
 #include "bench/meshes.hpp"
 #include "bench/runs.hpp"
-#include "engine/tree.hpp"
-#include "engine/walk.hpp"
-#include "render/ready.hpp"
 #include "render/render.hpp"
-#include "render/surfaces.hpp"
+#include "render/search/ready.hpp"
+#include "render/search/surfaces.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
 

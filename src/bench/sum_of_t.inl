@@ -2,7 +2,7 @@
 // and by one that is compiled against headers without probes.
 #include <probe.hpp>
 
-#include "render/search.hpp"
+#include "render/search/plain_search.hpp"
 
 namespace glassbox {
 namespace {

@@ -1,6 +1,6 @@
 #include "bench/against_embree.hpp"
+#include "render/search/with_tracer.hpp"
 #include "render/tiles.hpp"
-#include "render/with_tracer.hpp"
 
 namespace glassbox {
 

@@ -14,7 +14,7 @@
 #include "cli/scene_path.hpp"
 #include "cli/typed.hpp"
 #include "render/render.hpp"
-#include "render/surfaces.hpp"
+#include "render/search/surfaces.hpp"
 #include "render/view.hpp"
 #include "scene/printable.hpp"
 #include "scene/scene_file.hpp"

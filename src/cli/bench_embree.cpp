@@ -15,9 +15,9 @@
 #include "cli/progress.hpp"
 #include "engine/kernels.hpp"
 #include "engine/tile.hpp"
-#include "render/certified_search.hpp"
 #include "render/parallel.hpp"
-#include "render/ready.hpp"
+#include "render/search/certified_search.hpp"
+#include "render/search/ready.hpp"
 #include "render/view.hpp"
 
 namespace glassbox {

@@ -9,7 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/scene_path.hpp"
 #include "engine/vector_check.hpp"
-#include "learn/isolation.hpp"
+#include "learn/subprocess/isolation.hpp"
 #include "render/assumptions.hpp"
 #include "scene/printable.hpp"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/tell.hpp"
-#include "render/ready.hpp"
+#include "render/search/ready.hpp"
 
 namespace glassbox {
 

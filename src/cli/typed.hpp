@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
 #include "render/options.hpp"
 #include "scene/named.hpp"
 #include "scene/scene.hpp"

@@ -16,10 +16,10 @@
 #include "scene/shading_models.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
-#include "viewer/model/camera.hpp"
-#include "viewer/model/keys.hpp"
-#include "viewer/model/timeline.hpp"
-#include "viewer/model/watching.hpp"
+#include "viewer/model/space/camera.hpp"
+#include "viewer/model/state/keys.hpp"
+#include "viewer/model/story/timeline.hpp"
+#include "viewer/model/work/watching.hpp"
 
 namespace glassbox {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/box.hpp"
+#include <box.hpp>
 
 namespace glassbox::engine {
 

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/box.hpp"
+#include <box.hpp>
+
 #include "engine/engine.hpp"
 #include "engine/tile.hpp"
 

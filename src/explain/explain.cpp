@@ -5,8 +5,8 @@
 #include "explain/hit_story.hpp"
 #include "explain/surface_story.hpp"
 #include "explain/verdict.hpp"
-#include "render/ready.hpp"
-#include "render/surfaces.hpp"
+#include "render/search/ready.hpp"
+#include "render/search/surfaces.hpp"
 
 namespace glassbox {
 

@@ -10,9 +10,9 @@
 #include "explain/loss.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/told_steps.hpp"
-#include "render/exact_crossing.hpp"
 #include "render/lighting.hpp"
-#include "render/search.hpp"
+#include "render/search/exact_crossing.hpp"
+#include "render/search/plain_search.hpp"
 #include "render/tracer.hpp"
 
 namespace glassbox {

@@ -9,7 +9,7 @@
 #include "explain/inputs.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/told_steps.hpp"
-#include "render/exact_crossing.hpp"
+#include "render/search/exact_crossing.hpp"
 
 namespace glassbox {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "render/search/with_tracer.hpp"
 #include "render/view.hpp"
-#include "render/with_tracer.hpp"
 
 namespace glassbox {
 

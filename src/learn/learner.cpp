@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <span>
 
-#include "learn/failing_scene.hpp"
-#include "learn/headers.hpp"
+#include "learn/build/headers.hpp"
+#include "learn/check/failing_scene.hpp"
 #include "output/whole_file.hpp"
 
 namespace glassbox::learn {
@@ -62,9 +62,7 @@ const Toolchain& Learner::tools() {
 
 const Exercise& Learner::lesson(const std::string& name) {
     if (!name.empty()) return exercise_called(workspace_, name);
-    const auto open = std::find_if(workspace_.exercises.begin(), workspace_.exercises.end(),
-                                   [&](const Exercise& one) { return !remembered(one).passed; });
-    return open == workspace_.exercises.end() ? workspace_.exercises.back() : *open;
+    return present_exercise(workspace_, progress_);
 }
 
 bool Learner::is_tested(const Exercise& exercise) {

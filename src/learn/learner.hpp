@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "learn/detective.hpp"
-#include "learn/judgement.hpp"
-#include "learn/progress.hpp"
-#include "learn/toolchain.hpp"
-#include "learn/workspace.hpp"
+#include "learn/build/toolchain.hpp"
+#include "learn/check/detective.hpp"
+#include "learn/check/judgement.hpp"
+#include "learn/course/progress.hpp"
+#include "learn/course/workspace.hpp"
 
 namespace glassbox::learn {
 

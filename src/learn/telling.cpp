@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "explain/shell_word.hpp"
-#include "learn/function_line.hpp"
-#include "learn/headers.hpp"
+#include "learn/build/function_line.hpp"
+#include "learn/build/headers.hpp"
 #include "numerics/printed_bound.hpp"
 #include "scene/printable.hpp"
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "learn/headers.hpp"
+#include "learn/build/headers.hpp"
 
 namespace glassbox::learn {
 namespace {

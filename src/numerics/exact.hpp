@@ -4,7 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "numerics/bounded.hpp"
+#include <bounded.hpp>
+
 #include "numerics/dyadic.hpp"
 
 namespace glassbox {

@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "render/measurements.hpp"
-#include "render/plane.hpp"
+#include "render/measure/measurements.hpp"
+#include "render/measure/plane.hpp"
 
 namespace glassbox {
 

@@ -4,9 +4,9 @@
 
 #include "render/image.hpp"
 #include "render/job.hpp"
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
+#include "render/measure/plane.hpp"
 #include "render/options.hpp"
-#include "render/plane.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {

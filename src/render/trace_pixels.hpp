@@ -1,8 +1,8 @@
 #pragma once
 #include "render/parallel.hpp"
+#include "render/search/with_tracer.hpp"
 #include "render/tiles.hpp"
 #include "render/view.hpp"
-#include "render/with_tracer.hpp"
 
 namespace glassbox {
 

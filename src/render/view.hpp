@@ -2,10 +2,10 @@
 #include <span>
 #include <variant>
 
+#include <filter.hpp>
 #include <turn.hpp>
 #include <viewing_plane.hpp>
 
-#include "numerics/filter.hpp"
 #include "render/options.hpp"
 #include "scene/scene.hpp"
 

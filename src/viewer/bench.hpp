@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "viewer/model/state.hpp"
+#include "viewer/model/state/state.hpp"
 #include "viewer/platform/window.hpp"
 
 namespace glassbox {

@@ -5,7 +5,7 @@
 
 #include "output/output_file.hpp"
 #include "viewer/hidden_viewer.hpp"
-#include "viewer/model/settings.hpp"
+#include "viewer/model/state/settings.hpp"
 
 namespace glassbox {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <variant>
 
-#include "viewer/model/results.hpp"
-#include "viewer/model/state.hpp"
+#include "viewer/model/state/state.hpp"
+#include "viewer/model/work/results.hpp"
 #include "viewer/platform/input.hpp"
 #include "viewer/platform/window.hpp"
 

@@ -40,12 +40,9 @@ function check_stage(N, name, quoted) {
     }
 }
 
-# A lesson may also include what lies in its own folder, and what all lessons share; the sixth is about src/numerics,
-# the seventh about src/engine.
+# A lesson may also include what lies in its own folder, and what all lessons share.
 function check_lesson(N, name, quoted) {
     if (quoted ? name !~ "/" : name == "picture.hpp" || name == "not_written.hpp") return
-    if (N == 6 && quoted && name ~ /^numerics\//) return
-    if (N == 7 && quoted && name ~ /^engine\//) return
     check_stage(N, name, quoted)
 }
 

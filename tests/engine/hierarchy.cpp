@@ -7,7 +7,7 @@
 
 #include "../certified/cases.hpp"
 #include "engine/engine.hpp"
-#include "render/surfaces.hpp"
+#include "render/search/surfaces.hpp"
 
 using namespace glassbox;
 using namespace glassbox::engine;

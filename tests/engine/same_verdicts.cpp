@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "../certified/cases.hpp"
-#include "render/fast_search.hpp"
-#include "render/ready.hpp"
+#include "render/search/fast_search.hpp"
+#include "render/search/ready.hpp"
 #include "render/shoot.hpp"
 
 using namespace glassbox;

@@ -8,9 +8,9 @@
 
 #include "../certified/cases.hpp"
 #include "engine/kernels.hpp"
-#include "render/certified_search.hpp"
-#include "render/fast_search.hpp"
-#include "render/ready.hpp"
+#include "render/search/certified_search.hpp"
+#include "render/search/fast_search.hpp"
+#include "render/search/ready.hpp"
 #include "render/tiles.hpp"
 
 using namespace glassbox;

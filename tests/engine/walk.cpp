@@ -1,5 +1,5 @@
 // Lesson 7's walk through its tree, the engine and the plain loop: three ways to the same surface.
-#include "engine/walk.hpp"
+#include <walk.hpp>
 
 #include <doctest.h>
 
@@ -7,9 +7,9 @@
 #include <probe.hpp>
 #include <random>
 
-#include "render/fast_search.hpp"
-#include "render/ready.hpp"
-#include "render/surfaces.hpp"
+#include "render/search/fast_search.hpp"
+#include "render/search/ready.hpp"
+#include "render/search/surfaces.hpp"
 
 using namespace glassbox;
 

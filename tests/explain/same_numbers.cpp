@@ -8,8 +8,8 @@
 
 #include "explain/explain.hpp"
 #include "render/option_names.hpp"
-#include "render/ready.hpp"
 #include "render/render.hpp"
+#include "render/search/ready.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
 

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "engine/kernels.hpp"
-#include "render/fast_search.hpp"
 #include "render/option_names.hpp"
 #include "render/render.hpp"
+#include "render/search/fast_search.hpp"
 #include "render/shoot.hpp"
 
 namespace glassbox::fuzz {

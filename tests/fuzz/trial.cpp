@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "render/options.hpp"
-#include "render/ready.hpp"
+#include "render/search/ready.hpp"
 #include "scene/scene_file.hpp"
 
 namespace glassbox::fuzz {

@@ -1,4 +1,4 @@
-#include "learn/child.hpp"
+#include "learn/subprocess/child.hpp"
 
 #include <doctest.h>
 #include <pthread.h>

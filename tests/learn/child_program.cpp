@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "learn/last_words.hpp"
+#include "learn/subprocess/last_words.hpp"
 
 using namespace glassbox::learn;
 

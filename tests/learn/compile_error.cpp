@@ -1,12 +1,12 @@
 // What compilers say, and what a learner is told. The messages are those of g++ 12 and clang++ 14.
-#include "learn/compile_error.hpp"
+#include "learn/build/compile_error.hpp"
 
 #include <doctest.h>
 #include <fmt/format.h>
 
 #include <fstream>
 
-#include "learn/plain_words.hpp"
+#include "learn/build/plain_words.hpp"
 #include "output/folder.hpp"
 
 using namespace glassbox;
@@ -249,15 +249,15 @@ TEST_CASE("an error that our own headers lead to, too, is no mistake of the lear
 }
 
 TEST_CASE("a file of ours that does not compile is told of in one line, without warnings") {
-    const Error error =
-        error_in_ours(said("src/learn/runner/prelude.hpp:1:9: warning: #pragma once in main file\n"
-                           "    1 | #pragma once\n"
-                           "src/learn/runner/prelude.hpp:3:10: fatal error: doctest.h: No such file or directory\n"
-                           "src/learn/runner/prelude.hpp:9:10: error: 'doctest' is not declared\n"),
-                      "src/learn/runner/prelude.hpp");
+    const Error error = error_in_ours(
+        said("src/learn/check/runner/prelude.hpp:1:9: warning: #pragma once in main file\n"
+             "    1 | #pragma once\n"
+             "src/learn/check/runner/prelude.hpp:3:10: fatal error: doctest.h: No such file or directory\n"
+             "src/learn/check/runner/prelude.hpp:9:10: error: 'doctest' is not declared\n"),
+        "src/learn/check/runner/prelude.hpp");
     const std::string words = error.what();
     CHECK(words.starts_with(
-        "src/learn/runner/prelude.hpp:3:10: error: cannot be compiled: doctest.h: No such file or directory. "));
+        "src/learn/check/runner/prelude.hpp:3:10: error: cannot be compiled: doctest.h: No such file or directory. "));
     CHECK(words.find("no mistake of yours") != std::string::npos);
     CHECK(words.find('\n') == std::string::npos);
     Outcome gone;

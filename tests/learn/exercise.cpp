@@ -1,4 +1,4 @@
-#include "learn/exercise.hpp"
+#include "learn/course/exercise.hpp"
 
 #include <doctest.h>
 
@@ -6,16 +6,16 @@
 #include <stop_token>
 #include <thread>
 
-#include "learn/detective.hpp"
-#include "learn/failing_scene.hpp"
-#include "learn/function_line.hpp"
-#include "learn/judgement.hpp"
+#include "learn/build/function_line.hpp"
+#include "learn/check/detective.hpp"
+#include "learn/check/failing_scene.hpp"
+#include "learn/check/judgement.hpp"
+#include "learn/check/test_report.hpp"
+#include "learn/course/progress.hpp"
+#include "learn/course/workspace.hpp"
 #include "learn/learner.hpp"
-#include "learn/progress.hpp"
-#include "learn/report.hpp"
 #include "learn/telling.hpp"
 #include "learn/watch.hpp"
-#include "learn/workspace.hpp"
 #include "output/folder.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"

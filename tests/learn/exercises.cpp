@@ -11,9 +11,9 @@
 #include <set>
 #include <sstream>
 
-#include "learn/detective.hpp"
-#include "learn/function_line.hpp"
-#include "learn/judgement.hpp"
+#include "learn/build/function_line.hpp"
+#include "learn/check/detective.hpp"
+#include "learn/check/judgement.hpp"
 #include "learn/learner.hpp"
 #include "output/folder.hpp"
 #include "scene/text_file.hpp"
@@ -159,16 +159,15 @@ TEST_CASE("a header without its last brace is named itself, at the brace that is
     const fs::path headers = work_folder(all, "unclosed") / "headers";
     for (const std::string& broken : exercise.headers) {
         CAPTURE(broken);
-        fs::create_directories(headers / exercise.include);
+        fs::create_directories(headers);
         for (const std::string& header : exercise.headers)
-            fs::copy_file(all.solution(exercise, header), headers / exercise.include / header,
-                          fs::copy_options::overwrite_existing);
+            fs::copy_file(all.solution(exercise, header), headers / header, fs::copy_options::overwrite_existing);
         const std::string solution = read_text(all.solution(exercise, broken));
-        std::ofstream(headers / exercise.include / broken) << solution.substr(0, solution.rfind('}'));
+        std::ofstream(headers / broken) << solution.substr(0, solution.rfind('}'));
         const TestRun run = run_tests(all, exercise, tools(all), {headers, work_folder(all, "unclosed")});
         REQUIRE(run.error);
         CHECK(run.error->yours);
-        CHECK(fs::path(run.error->place.file) == headers / exercise.include / broken);
+        CHECK(fs::path(run.error->place.file) == headers / broken);
         // The last brace is that of the namespace, which is the first that the header opens.
         CHECK(run.error->source.starts_with("namespace glassbox"));
         CHECK(run.error->place.column == run.error->source.size());

@@ -1,5 +1,5 @@
 // Where lessons are found in what learners hand in.
-#include "learn/handed_in.hpp"
+#include "learn/report/handed_in.hpp"
 
 #include <doctest.h>
 
@@ -96,13 +96,13 @@ TEST_CASE("a lesson's folder may have capitals, another sign between its words, 
 TEST_CASE("headers that lie elsewhere than in a lesson's folder are not looked at, and it is said where they belong") {
     Hand hand;
     hand.file("eve/vec3.hpp");
-    hand.file("eve/6-rounding/bounded.hpp");  // and not in 6-rounding/numerics, as its includes name it
+    hand.file("eve/6-rounding/numerics/bounded.hpp");  // where it was in version 0.1
     const HandedIn eve = hand.in("eve");
     REQUIRE(eve.notes.size() == 2);
     CHECK(has(eve.notes[0], "eve/vec3.hpp: note: this is not looked at: lesson 1 is in "));
     CHECK(has(eve.notes[0], "eve/1-rays; move it there"));
-    CHECK(has(eve.notes[1], "eve/6-rounding/bounded.hpp: note: this is not looked at: lesson 6 is in "));
-    CHECK(has(eve.notes[1], "eve/6-rounding/numerics; move it there"));
+    CHECK(has(eve.notes[1], "eve/6-rounding/numerics/bounded.hpp: note: this is not looked at: lesson 6 is in "));
+    CHECK(has(eve.notes[1], "eve/6-rounding; move it there"));
     hand.file("fay/1-rays/Vec3.hpp");  // no include finds it
     REQUIRE(hand.in("fay").notes.size() == 1);
     CHECK(has(hand.in("fay").notes[0], "Vec3.hpp: note: this is not looked at"));

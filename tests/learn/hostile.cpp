@@ -10,7 +10,7 @@
 #include <span>
 #include <thread>
 
-#include "learn/judgement.hpp"
+#include "learn/check/judgement.hpp"
 #include "learn/learner.hpp"
 #include "learn/telling.hpp"
 #include "output/folder.hpp"

@@ -1,6 +1,6 @@
 // What strangers hand in runs apart from all else, where bubblewrap can do that; and is graded as ever. Each attack is
 // made without isolation first: there it must succeed, or the test would prove nothing.
-#include "learn/isolation.hpp"
+#include "learn/subprocess/isolation.hpp"
 
 #include <arpa/inet.h>
 #include <doctest.h>
@@ -15,10 +15,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "learn/grade.hpp"
-#include "learn/judgement.hpp"
+#include "learn/check/judgement.hpp"
+#include "learn/check/test_run.hpp"
+#include "learn/report/grade.hpp"
 #include "learn/telling.hpp"
-#include "learn/test_run.hpp"
 #include "output/folder.hpp"
 #include "scene/text_file.hpp"
 

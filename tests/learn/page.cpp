@@ -1,5 +1,5 @@
 // What a teacher reads: a page, a table, numbers for a spreadsheet.
-#include "learn/page.hpp"
+#include "learn/report/page.hpp"
 
 #include <doctest.h>
 

@@ -1,13 +1,13 @@
 // What is not closed in a header. Each text has one fault, and the place that is expected is where a reader would put a
 // finger: counted by hand.
-#include "learn/unclosed.hpp"
+#include "learn/build/unclosed.hpp"
 
 #include <doctest.h>
 
 #include <filesystem>
 #include <string>
 
-#include "learn/headers.hpp"
+#include "learn/build/headers.hpp"
 
 using namespace glassbox::learn;
 namespace fs = std::filesystem;

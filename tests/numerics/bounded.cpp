@@ -1,5 +1,6 @@
 // Bounded keeps its promise, |true − value| ≤ error, against whole numbers that are never rounded.
-#include "numerics/bounded.hpp"
+#include <bounded.hpp>
+#include <magnitude.hpp>
 
 #include <doctest.h>
 
@@ -11,7 +12,6 @@
 
 #include "doubles.hpp"
 #include "fixed_point.hpp"
-#include "numerics/magnitude.hpp"
 
 using namespace glassbox;
 using test::Doubles, test::fixed_point, test::one, test::Whole;

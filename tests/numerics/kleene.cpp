@@ -1,5 +1,5 @@
 // Three-valued logic, by its truth tables (Kleene, Introduction to Metamathematics, 1952, section 64).
-#include "numerics/kleene.hpp"
+#include <kleene.hpp>
 
 #include <doctest.h>
 

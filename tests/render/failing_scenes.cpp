@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
 #include "render/render.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
 #include "render/render.hpp"
-#include "render/surface_normal.hpp"
+#include "render/search/surface_normal.hpp"
 
 using namespace glassbox;
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
 #include "render/option_names.hpp"
 #include "render/render.hpp"
 #include "render/shoot.hpp"

@@ -1,5 +1,5 @@
 // What `measure` writes, at pixels whose numbers can be worked out by hand.
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
 
 #include <doctest.h>
 
@@ -10,8 +10,8 @@
 #include <random>
 
 #include "numerics/bits_lost.hpp"
+#include "render/measure/triangle_numbers.hpp"
 #include "render/render.hpp"
-#include "render/triangle_numbers.hpp"
 #include "scene/scene_file.hpp"
 #include "support/ulps.hpp"
 

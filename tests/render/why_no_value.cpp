@@ -1,6 +1,6 @@
 // Why a measurement has no value: every measurement, at every stage, in every scalar, by every rule, on scenes that
 // lack one thing each.
-#include "render/why_no_value.hpp"
+#include "render/measure/why_no_value.hpp"
 
 #include <doctest.h>
 

@@ -1,11 +1,11 @@
 // Stage 6: bounds on rounding. They must hold, and they must not be so large that they say nothing. The truth is
 // computed in whole numbers of 128 bits, which round nothing: all inputs here are whole.
+#include <bounded.hpp>
+#include <filter.hpp>
+#include <magnitude.hpp>
 #include <triangle.hpp>
 
 #include "checks.hpp"
-#include "numerics/bounded.hpp"
-#include "numerics/filter.hpp"
-#include "numerics/magnitude.hpp"
 
 namespace glassbox::test {
 

@@ -1,13 +1,13 @@
 // Stage 7: boxes around surfaces. A ray's way through a box, which loses no hit to rounding; where to cut boxes in two;
 // and the walk through a tree of boxes, which finds what the plain loop finds and looks at little of it.
+#include <box.hpp>
 #include <probe.hpp>
+#include <slabs.hpp>
+#include <tree.hpp>
 #include <triangle.hpp>
+#include <walk.hpp>
 
 #include "checks.hpp"
-#include "engine/box.hpp"
-#include "engine/slabs.hpp"
-#include "engine/tree.hpp"
-#include "engine/walk.hpp"
 
 /// Whole numbers are equal; fails with expected and got.
 #define CHECK_COUNT(got, expected) \

@@ -1,6 +1,6 @@
 // The engine's boxes, level by level: what is drawn is what there is, and what the pinned ray does is what the search
 // does.
-#include "viewer/model/boxes_in_space.hpp"
+#include "viewer/model/space/boxes_in_space.hpp"
 
 #include <doctest.h>
 
@@ -10,16 +10,16 @@
 
 #include "../certified/cases.hpp"
 #include "cli/program.hpp"
-#include "render/certified_search.hpp"
 #include "render/job.hpp"
-#include "render/measurements.hpp"
-#include "render/plane.hpp"
-#include "render/ready.hpp"
+#include "render/measure/measurements.hpp"
+#include "render/measure/plane.hpp"
 #include "render/render.hpp"
+#include "render/search/certified_search.hpp"
+#include "render/search/ready.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
 #include "viewer/hidden_viewer.hpp"
-#include "viewer/model/keys.hpp"
+#include "viewer/model/state/keys.hpp"
 
 using namespace glassbox;
 using engine::Child;

@@ -1,4 +1,4 @@
-#include "viewer/model/camera.hpp"
+#include "viewer/model/space/camera.hpp"
 
 #include <doctest.h>
 
@@ -7,7 +7,7 @@
 
 #include "explain/explain.hpp"
 #include "render/view.hpp"
-#include "viewer/model/space.hpp"
+#include "viewer/model/space/space.hpp"
 
 using namespace glassbox;
 

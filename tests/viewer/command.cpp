@@ -1,5 +1,5 @@
 // The command that shows a pixel again tells the same story: the built program is run with it.
-#include "viewer/model/command.hpp"
+#include "viewer/model/state/command.hpp"
 
 #include <doctest.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/model/histogram.hpp"
+#include "viewer/model/overlay/histogram.hpp"
 
 #include <doctest.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "viewer/model/difference.hpp"
+#include "viewer/model/overlay/difference.hpp"
 
 using namespace glassbox;
 

@@ -1,5 +1,5 @@
 // Undo and redo, and drags that are one step of them.
-#include "viewer/model/history.hpp"
+#include "viewer/model/state/history.hpp"
 
 #include <doctest.h>
 

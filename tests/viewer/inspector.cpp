@@ -1,5 +1,5 @@
 // The inspector's numbers are those of `glassbox explain --json`, digit for digit; and where its error bars lie.
-#include "viewer/model/inspector.hpp"
+#include "viewer/model/story/inspector.hpp"
 
 #include <doctest.h>
 
@@ -10,7 +10,7 @@
 #include "explain/explain.hpp"
 #include "explain/json.hpp"
 #include "scene/scene_file.hpp"
-#include "viewer/model/error_bar.hpp"
+#include "viewer/model/story/error_bar.hpp"
 
 using namespace glassbox;
 

@@ -1,4 +1,4 @@
-#include "viewer/model/latest.hpp"
+#include "viewer/model/work/latest.hpp"
 
 #include <doctest.h>
 

@@ -1,6 +1,6 @@
 // The learner's picture in the viewer: what is asked for, what stays while a new one is made, and that nothing of it
 // can stop the rest. What each kind of end is called is tested in tests/learn/mine.cpp.
-#include "viewer/model/mine.hpp"
+#include "viewer/model/work/mine.hpp"
 
 #include <doctest.h>
 
@@ -8,12 +8,12 @@
 #include <fstream>
 #include <thread>
 
-#include "learn/mine/maker.hpp"
+#include "learn/picture/maker.hpp"
 #include "output/folder.hpp"
 #include "scene/error.hpp"
-#include "viewer/model/background.hpp"
-#include "viewer/model/file_watch.hpp"
-#include "viewer/model/state.hpp"
+#include "viewer/model/state/state.hpp"
+#include "viewer/model/work/background.hpp"
+#include "viewer/model/work/file_watch.hpp"
 
 using namespace glassbox;
 using learn::mine::Stand;

@@ -1,4 +1,4 @@
-#include "viewer/model/picture_view.hpp"
+#include "viewer/model/state/picture_view.hpp"
 
 #include <doctest.h>
 

@@ -1,5 +1,5 @@
 // From coarse to fine: which sizes are made, which are shown, and what may be stopped.
-#include "viewer/model/progressive.hpp"
+#include "viewer/model/work/progressive.hpp"
 
 #include <doctest.h>
 

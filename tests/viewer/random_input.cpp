@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "../output/folder.hpp"
-#include "render/measurements.hpp"
+#include "render/measure/measurements.hpp"
 #include "viewer/hidden_viewer.hpp"
-#include "viewer/model/keys.hpp"
+#include "viewer/model/state/keys.hpp"
 
 using namespace glassbox;
 

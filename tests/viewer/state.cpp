@@ -1,5 +1,5 @@
 // What is chosen: setups, scenes that are opened and read again.
-#include "viewer/model/state.hpp"
+#include "viewer/model/state/state.hpp"
 
 #include <doctest.h>
 

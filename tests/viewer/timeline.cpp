@@ -1,6 +1,6 @@
 // The timeline of a pixel, against numbers worked out by hand on the paper's scene. Column j and row i are pixel (j,
 // 499 − i), whose ray starts at (500, j, i) and runs along (−1, 0, 0).
-#include "viewer/model/timeline.hpp"
+#include "viewer/model/story/timeline.hpp"
 
 #include <doctest.h>
 
@@ -10,9 +10,9 @@
 #include "explain/explain.hpp"
 #include "explain/loss.hpp"
 #include "scene/scene_file.hpp"
-#include "viewer/model/lesson.hpp"
-#include "viewer/model/playing.hpp"
-#include "viewer/model/watching.hpp"
+#include "viewer/model/state/playing.hpp"
+#include "viewer/model/story/lesson.hpp"
+#include "viewer/model/work/watching.hpp"
 
 using namespace glassbox;
 

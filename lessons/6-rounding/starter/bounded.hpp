@@ -5,7 +5,7 @@
 #include <floating_point.hpp>
 #include <not_written.hpp>
 
-#include "numerics/kleene.hpp"
+#include <kleene.hpp>
 
 namespace glassbox {
 

@@ -6,7 +6,7 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
-#include "numerics/magnitude.hpp"
+#include <magnitude.hpp>
 
 namespace glassbox {
 

@@ -6,7 +6,7 @@
 #include <not_written.hpp>
 #include <ray.hpp>
 
-#include "engine/box.hpp"
+#include <box.hpp>
 
 namespace glassbox::engine {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/box.hpp"
+#include <box.hpp>
 
 namespace glassbox::engine {
 

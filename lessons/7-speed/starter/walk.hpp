@@ -8,8 +8,8 @@
 #include <not_written.hpp>
 #include <ray.hpp>
 
-#include "engine/slabs.hpp"
-#include "engine/tree.hpp"
+#include <slabs.hpp>
+#include <tree.hpp>
 
 namespace glassbox {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "viewer/model/keys.hpp"
-#include "viewer/model/playing.hpp"
-#include "viewer/model/watching.hpp"
+#include "viewer/model/state/keys.hpp"
+#include "viewer/model/state/playing.hpp"
+#include "viewer/model/work/watching.hpp"
 
 namespace glassbox {
 

@@ -2,10 +2,10 @@
 #include <functional>
 #include <memory>
 
-#include "viewer/model/background.hpp"
-#include "viewer/model/file_watch.hpp"
-#include "viewer/model/results.hpp"
-#include "viewer/model/state.hpp"
+#include "viewer/model/state/state.hpp"
+#include "viewer/model/work/background.hpp"
+#include "viewer/model/work/file_watch.hpp"
+#include "viewer/model/work/results.hpp"
 #include "viewer/platform/input.hpp"
 #include "viewer/ui/panels.hpp"
 

@@ -1,13 +1,13 @@
 #pragma once
 #include <span>
 
-#include "viewer/model/boxes_in_space.hpp"
-#include "viewer/model/results.hpp"
-#include "viewer/model/space.hpp"
-#include "viewer/model/state.hpp"
+#include "viewer/model/space/boxes_in_space.hpp"
+#include "viewer/model/space/space.hpp"
+#include "viewer/model/state/state.hpp"
+#include "viewer/model/work/results.hpp"
 #include "viewer/platform/fonts.hpp"
-#include "viewer/ui/pictures.hpp"
-#include "viewer/ui/theme.hpp"
+#include "viewer/ui/picture/pictures.hpp"
+#include "viewer/ui/widgets/theme.hpp"
 
 namespace glassbox {
 

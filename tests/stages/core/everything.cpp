@@ -1,9 +1,12 @@
 // Everything that the core has, for the three built-in scalars. Compiled without exceptions and run-time types; and its
 // headers and symbols are looked at (CheckCore.cmake).
+#include <bounded.hpp>
 #include <crossing.hpp>
 #include <floating_point.hpp>
+#include <kleene.hpp>
 #include <levental_2014.hpp>
 #include <light.hpp>
+#include <magnitude.hpp>
 #include <pluecker.hpp>
 #include <probe.hpp>
 #include <ray.hpp>
@@ -38,6 +41,11 @@ Rgb everything(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c, in
         hit = nearest(hit, 1, intersect(ray, sphere, Stable{}, probe));
         hit = nearest(hit, 2, intersect(ray, sphere, Levental2014{}, probe));
         hit = nearest(hit, 3, intersect(ray, triangle, Pluecker{}, probe));
+        const Silent silent;
+        const Crossing<Bounded> bounded =
+            intersect(convert<Bounded>(ray), convert<Bounded>(triangle), Pluecker{}, silent);
+        if (surely(bounded.met)) sum = static_cast<Real>(bounded.t.error) * sum;
+        sum = static_cast<Real>(dot(convert<Magnitude>(ray.P), convert<Magnitude>(ray.D)).size) * sum;
         hit = nearest(hit, 4, intersect(ray, triangle, Tolerance{}, probe));
         hit = nearest(hit, 5, intersect(ray, triangle, MoellerTrumbore{}, probe));
         if (!hit) continue;

@@ -1,6 +1,6 @@
 #include "render/option_names.hpp"
 #include "viewer/ui/controls/sections.hpp"
-#include "viewer/ui/edit.hpp"
+#include "viewer/ui/widgets/edit.hpp"
 
 namespace glassbox {
 

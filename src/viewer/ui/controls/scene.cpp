@@ -1,5 +1,5 @@
-#include "viewer/ui/buttons.hpp"
 #include "viewer/ui/controls/sections.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
 
 namespace glassbox {
 

@@ -2,9 +2,9 @@
 
 #include "scene/direction.hpp"
 #include "scene/shading_models.hpp"
-#include "viewer/ui/buttons.hpp"
 #include "viewer/ui/controls/sections.hpp"
-#include "viewer/ui/edit.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
+#include "viewer/ui/widgets/edit.hpp"
 
 namespace glassbox {
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "viewer/ui/buttons.hpp"
 #include "viewer/ui/controls/sections.hpp"
-#include "viewer/ui/edit.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
+#include "viewer/ui/widgets/edit.hpp"
 
 namespace glassbox {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "viewer/model/error_bar.hpp"
+#include "viewer/model/story/error_bar.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 
 namespace glassbox {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "viewer/ui/inspector/drawings.hpp"
-#include "viewer/ui/wrapped.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 

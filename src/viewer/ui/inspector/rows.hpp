@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/model/inspector.hpp"
+#include "viewer/model/story/inspector.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {

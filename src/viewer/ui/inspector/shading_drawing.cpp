@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "viewer/model/inspector.hpp"
+#include "viewer/model/story/inspector.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 
 namespace glassbox {

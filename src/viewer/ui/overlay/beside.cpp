@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "render/option_names.hpp"
-#include "viewer/ui/edit.hpp"
-#include "viewer/ui/mine.hpp"
+#include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/overlay/parts.hpp"
+#include "viewer/ui/widgets/edit.hpp"
 
 namespace glassbox {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/ui/buttons.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
 
 namespace glassbox {
 

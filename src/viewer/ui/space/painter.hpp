@@ -1,5 +1,5 @@
 #pragma once
-#include "viewer/model/space.hpp"
+#include "viewer/model/space/space.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {

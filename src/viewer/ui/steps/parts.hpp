@@ -1,5 +1,5 @@
 #pragma once
-#include "viewer/model/timeline.hpp"
+#include "viewer/model/story/timeline.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/model/lesson.hpp"
+#include "viewer/model/story/lesson.hpp"
 #include "viewer/ui/steps/parts.hpp"
-#include "viewer/ui/wrapped.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/model/playing.hpp"
-#include "viewer/ui/buttons.hpp"
+#include "viewer/model/state/playing.hpp"
 #include "viewer/ui/steps/parts.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
 
 namespace glassbox {
 

@@ -7,7 +7,7 @@
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "viewer/ui/steps/parts.hpp"
-#include "viewer/ui/wrapped.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 

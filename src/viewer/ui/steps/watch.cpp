@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "viewer/model/watching.hpp"
+#include "viewer/model/work/watching.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
 namespace glassbox {

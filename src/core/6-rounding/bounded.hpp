@@ -1,0 +1,96 @@
+#pragma once
+#include <cmath>
+#include <limits>
+
+#include <floating_point.hpp>
+
+#include <kleene.hpp>
+
+namespace glassbox {
+
+/// A double and how far it can be from the number that it stands for: |true − value| ≤ error, guaranteed through every
+/// operation, underflow and overflow included. An infinite error, or not a number, says that nothing is known.
+///
+/// Each operation adds the operands' errors, carried through to first and second order, and its own rounding: at most
+/// u|value|, u = 2⁻⁵³, and where the result underflows at most 2⁻¹⁰⁷⁵, for which 2⁻¹⁰²¹ is added (a normal number:
+/// adding subnormal ones is slow). The bound is itself computed in doubles; `up` makes good for its few roundings. See
+/// Higham, Accuracy and Stability of Numerical Algorithms (2002), chapters 2 and 3.
+struct Bounded {
+    double value = 0;
+    double error = 0;
+
+    constexpr Bounded() = default;
+    explicit constexpr Bounded(double exact) : value(exact) {}
+    constexpr Bounded(double computed, double its_error) : value(computed), error(its_error) {}
+
+    static constexpr double u = 0x1p-53;
+    static constexpr double underflow = 0x1p-1021;
+    /// A sum of a few non-negative terms, rounded upwards for sure.
+    static constexpr double up(double sum) { return sum * (1 + 0x1p-49); }
+
+    friend constexpr Bounded operator-(Bounded a) { return {-a.value, a.error}; }
+
+    // A sum or difference that underflows is exact.
+    friend Bounded operator+(Bounded a, Bounded b) {
+        const double v = a.value + b.value;
+        return {v, up(a.error + b.error + u * (v < 0 ? -v : v))};
+    }
+    friend Bounded operator-(Bounded a, Bounded b) { return a + -b; }
+
+    friend Bounded operator*(Bounded a, Bounded b) {
+        if (is_exactly_zero(a) || is_exactly_zero(b)) return {};
+        const double v = a.value * b.value;
+        return {v, up(std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error + u * std::abs(v)) +
+                       underflow};
+    }
+
+    friend Bounded operator/(Bounded a, Bounded b) {
+        if (is_exactly_zero(a) && std::abs(b.value) > b.error) return {};
+        const double v = a.value / b.value;
+        const double least = (std::abs(b.value) - b.error) * (1 - 0x1p-50);
+        if (!(least > 0)) return {v, std::numeric_limits<double>::infinity()};
+        // |a/b − v'| ≤ (a.error + |v'| b.error) / least, v' the quotient before rounding, |v'| ≤ |v|(1 + 2u) +
+        // underflow. Errors are divided first: a small b.error times a small v' would be lost to underflow.
+        return {v, up(a.error / least + up(std::abs(v) + underflow) * (b.error / least) + u * std::abs(v)) + underflow};
+    }
+
+    /// For the part of the interval that has a root; below it the true number cannot lie, or the root was not asked
+    /// for.
+    friend Bounded sqrt(Bounded a) {
+        if (!(a.value > 0)) return {0, up(std::sqrt(up(std::abs(a.value) + a.error))) + underflow};
+        const double v = std::sqrt(a.value);
+        // |√x − √a| = |x − a| / (√x + √a), which is at most |x − a| / √a, and at most √|x − a|.
+        return {v, up(std::fmin(a.error / v, std::sqrt(a.error)) + u * v) + underflow};
+    }
+
+    friend constexpr Bounded abs(Bounded a) { return {a.value < 0 ? -a.value : a.value, a.error}; }
+
+    friend Kleene operator<(Bounded a, Bounded b) {
+        if (!is_known(a) || !is_known(b)) return Kleene::undecided();
+        if (a.error == 0 && b.error == 0) return a.value < b.value;
+        const double gap = b.value - a.value;
+        const double doubt = up(a.error + b.error + u * (gap < 0 ? -gap : gap));
+        if (gap > doubt) return true;
+        return gap < -doubt ? Kleene(false) : Kleene::undecided();
+    }
+    friend Kleene operator>(Bounded a, Bounded b) { return b < a; }
+    friend Kleene operator<=(Bounded a, Bounded b) { return !(b < a); }
+    friend Kleene operator>=(Bounded a, Bounded b) { return !(a < b); }
+    friend Kleene operator!=(Bounded a, Bounded b) {
+        if (is_known(a) && is_known(b) && a.error == 0 && b.error == 0) return a.value != b.value;
+        const Kleene below = a < b, above = b < a;
+        return surely(below) || surely(above) ? Kleene(true) : Kleene::undecided();
+    }
+    friend Kleene operator==(Bounded a, Bounded b) { return !(a != b); }
+
+    /// Not lost to overflow or a division by what may be 0.
+    friend constexpr bool is_known(Bounded a) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return a.error < infinity && a.value < infinity && a.value > -infinity;
+    }
+
+private:
+    static constexpr bool is_exactly_zero(Bounded a) { return a.value == 0 && a.error == 0; }
+};
+
+}  // namespace glassbox

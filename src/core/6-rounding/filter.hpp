@@ -1,0 +1,101 @@
+#pragma once
+#include <algorithm>
+#include <limits>
+
+#include <sphere.hpp>
+#include <triangle.hpp>
+
+#include <magnitude.hpp>
+
+namespace glassbox {
+
+/// The largest absolute values, axis by axis, of the starts and directions of the rays that are to come.
+struct Reach {
+    Vec3<double> P, D;
+};
+
+/// The reach of those rays and one more.
+inline Reach reaching(const Reach& reach, const Ray<double>& ray) {
+    const auto larger = [](const Vec3<double>& a, const Vec3<double>& b) {
+        return Vec3<double>{std::max(a.x, std::abs(b.x)), std::max(a.y, std::abs(b.y)), std::max(a.z, std::abs(b.z))};
+    };
+    return {larger(reach.P, ray.P), larger(reach.D, ray.D)};
+}
+
+// A-priori filters: bounds, found once for a surface, on the rounding error of the doubles that decide about it, for
+// any ray within reach. They cost the inner loop a comparison or two. Where numbers are so large or small that overflow
+// or underflow could matter they are infinite, and decide nothing.
+
+namespace filter {
+
+inline constexpr double u = 0x1p-53;
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Is a number of a size whose products of seven neither overflow nor underflow?
+constexpr bool is_ordinary(double size) { return size > 0x1p-100 && size < 0x1p100; }
+
+inline double greatest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Of the three side products. With a = A − P, b = B − P, s = D·(b × a), and S the same sum over absolute values, every
+/// term has been rounded at most seven times, so |ŝ − s| ≤ 7u S + O(u²) < 8u S; and S is largest where all
+/// coordinates are: at |A| + |P|, |D|.
+inline double sides_error(const Triangle<double>& triangle, const Reach& reach) {
+    // + of magnitudes adds, so that "seen from P" is |A| + |P|.
+    const Triangle<Magnitude> seen = seen_from(convert<Magnitude>(reach.P), convert<Magnitude>(triangle));
+    const Sides<Magnitude> S = sides(convert<Magnitude>(reach.D), seen);
+    const double coordinate =
+        std::max({greatest(triangle.A), greatest(triangle.B), greatest(triangle.C), greatest(reach.P)});
+    const double size = std::max({S.a.size, S.b.size, S.c.size});
+    if (!is_ordinary(greatest(reach.D)) || !(coordinate < 0x1p100) || !(size > 0x1p-900)) return never;
+    return 9 * u * size;  // 9 for 8: this sum is itself rounded
+}
+
+/// Of the discriminant (v·D)² − D²(v² − r²), by either rule. Rounding v, v·D, v·v and D·D relatively, each by a few u,
+/// moves it by at most 32u D²(|v|² + r²) + O(u²): in Textbook 20u, in Stable, where l = f + (b/a)d is off by 11u|f|,
+/// 32u.
+inline double discriminant_error(const Sphere<double>& sphere, const Reach& reach) {
+    const auto [cx, cy, cz] = sphere.c;
+    const Vec3<double> v{std::abs(cx) + reach.P.x, std::abs(cy) + reach.P.y, std::abs(cz) + reach.P.z};
+    const double D2 = dot(reach.D, reach.D), v2 = dot(v, v), r2 = sphere.r * sphere.r;
+    if (!is_ordinary(greatest(reach.D)) || !is_ordinary(greatest(v)) || !is_ordinary(sphere.r)) return never;
+    return 40 * u * D2 * (v2 + r2);
+}
+
+/// Of D·A, A seen from the ray's start: how far ahead a vertex is, in units of length |D|. Every term has been rounded
+/// at most four times.
+inline double distance_error(const Triangle<double>& triangle, const Reach& reach) {
+    const auto& [A, B, C] = seen_from(convert<Magnitude>(reach.P), convert<Magnitude>(triangle));
+    const Vec3<Magnitude> D = convert<Magnitude>(reach.D);
+    const double size = std::max({dot(D, A).size, dot(D, B).size, dot(D, C).size});
+    if (!is_ordinary(greatest(reach.D)) || !is_ordinary(size)) return never;
+    return 6 * u * size;
+}
+
+/// Of v² − r², which says whether the ray starts outside the sphere: 6u(|v|² + r²) + O(u²).
+inline double power_error(const Sphere<double>& sphere, const Reach& reach) {
+    const Vec3<Magnitude> v = convert<Magnitude>(reach.P) - convert<Magnitude>(sphere.c);
+    if (!is_ordinary(greatest(reach.P) + greatest(sphere.c)) || !is_ordinary(sphere.r)) return never;
+    return 8 * u * (dot(v, v).size + sphere.r * sphere.r);
+}
+
+/// Bounds on what decides about a sphere.
+struct SphereErrors {
+    double discriminant = never, power = never;
+};
+
+/// Bounds on what decides about a triangle.
+struct TriangleErrors {
+    double side = never, distance = never;
+};
+
+inline SphereErrors errors(const Sphere<double>& sphere, const Reach& reach) {
+    return {discriminant_error(sphere, reach), power_error(sphere, reach)};
+}
+
+inline TriangleErrors errors(const Triangle<double>& triangle, const Reach& reach) {
+    return {sides_error(triangle, reach), distance_error(triangle, reach)};
+}
+
+}  // namespace filter
+
+}  // namespace glassbox

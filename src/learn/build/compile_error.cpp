@@ -1,0 +1,429 @@
+#include "learn/build/compile_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "learn/build/headers.hpp"
+#include "learn/build/plain_words.hpp"
+#include "learn/build/unclosed.hpp"
+#include "scene/printable.hpp"
+#include "scene/suggestion.hpp"
+
+namespace glassbox::learn {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A line of a compiler that names a place: "file:line:column: rest", "In file included from file:line,".
+struct Located {
+    Place place;
+    std::string rest;
+};
+
+std::size_t number_at(std::string_view& text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{}) return 0;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+/// The place that a line names, if it does. File names may have colons; so the first colon that a number and another
+/// colon or comma follow ends the name.
+std::optional<Located> located(std::string_view line) {
+    for (const std::string_view opening : {"In file included from ", "                 from "})
+        if (line.starts_with(opening)) line.remove_prefix(opening.size());
+    for (std::size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
+        std::string_view rest = line.substr(colon + 1);
+        const std::size_t number = number_at(rest);
+        if (number == 0 || rest.empty() || (rest[0] != ':' && rest[0] != ',')) continue;
+        Located found{{std::string(line.substr(0, colon)), number, 0}, ""};
+        rest.remove_prefix(1);
+        found.place.column = number_at(rest);
+        if (found.place.column > 0 && rest.starts_with(':')) rest.remove_prefix(1);
+        rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+        found.rest = rest;
+        return found;
+    }
+    return {};
+}
+
+/// One error with the places that led to it: files that include its file, templates that needed it.
+struct Diagnosed {
+    Located error;
+    std::vector<Place> led_there;
+};
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+std::vector<Diagnosed> diagnosed(const std::string& text) {
+    std::vector<Diagnosed> errors;
+    std::vector<Place> before;
+    for (const std::string_view line : lines_of(text)) {
+        std::optional<Located> found = located(line);
+        if (!found) continue;
+        std::string& rest = found->rest;
+        constexpr std::string_view severity = "error: ";
+        if (rest.starts_with(severity) || rest.starts_with("fatal error: ")) {
+            rest.erase(0, rest.find(severity) + severity.size());
+            errors.push_back({*std::move(found), std::exchange(before, {})});
+            continue;
+        }
+        if (rest.starts_with("warning: ")) continue;
+        // g++ tells before the error how it came there, clang++ after it, in a note. Other notes lead nowhere.
+        const bool note = rest.starts_with("note: ");
+        const bool needed =
+            rest.find("requested here") != std::string::npos || rest.find("in call to") != std::string::npos;
+        if (!note) before.push_back(found->place);
+        else if (needed && !errors.empty()) errors.back().led_there.push_back(found->place);
+    }
+    return errors;
+}
+
+bool lies_in(const fs::path& file, const fs::path& folder) {
+    if (folder.empty()) return false;
+    const fs::path near = file.lexically_normal().lexically_relative(folder.lexically_normal());
+    return !near.empty() && *near.begin() != "..";
+}
+
+/// Whether a file may be read for what an error says of its place. A line such as '#line 1 "/home/teacher/notes"' names
+/// any file: none is shown but the learner's own, ours and the system's headers.
+bool may_be_read(const fs::path& file, const OwnHeaders& mine, const fs::path& root) {
+    std::error_code failed;
+    const fs::path real = fs::canonical(file, failed);
+    if (failed || !fs::is_regular_file(real, failed)) return false;
+    std::vector<fs::path> folders{"/usr/include", "/usr/lib", fs::weakly_canonical(mine.folder, failed)};
+    for (const char* ours : {"src", "tests", "lessons"})
+        if (!root.empty()) folders.push_back(fs::weakly_canonical(root / ours, failed));
+    return std::ranges::any_of(folders, [&](const fs::path& folder) { return lies_in(real, folder); });
+}
+
+std::string line_of(const fs::path& file, std::size_t number) {
+    std::ifstream in(file);
+    std::string line;
+    for (std::size_t n = 0; n < number; ++n)
+        if (!std::getline(in, line)) return "";
+    if (line.size() > 400) line.resize(400);
+    return line;
+}
+
+/// Of a compilation that ended without an error message: the compiler itself came to an end.
+CompileError of_the_compiler_itself(const Outcome& outcome) {
+    CompileError error;
+    error.message = "the compiler: " + in_words(outcome);
+    switch (outcome.end) {
+        case End::deadline:
+            error.plain =
+                "The compiler does not come to an end: does a file include itself or another one that never ends, or "
+                "does a template need itself?";
+            break;
+        case End::memory:
+        case End::signal:
+            error.plain =
+                "The compiler ran out of memory or crashed: does something in your file repeat without end, such as a "
+                "template that needs itself, or an include of something that is no source file?";
+            break;
+        case End::output:
+            error.plain = "The compiler has more to complain about than anyone can read: is this a C++ header at all?";
+            break;
+        default:
+            break;
+    }
+    return error;
+}
+
+std::string first_line_with(const std::string& text, std::string_view part) {
+    for (const std::string_view line : lines_of(text))
+        if (line.find(part) != std::string_view::npos) return std::string(line);
+    return "";
+}
+
+/// What a system says when it cannot write, in the C locale's words, and what would help.
+struct Hindrance {
+    std::string_view words, remedy;
+    bool is_of_reading_too = false;  ///< a file to be read may meet with the same
+};
+constexpr std::string_view other_places = "name another folder with --folder, and for the compiler's own with TMPDIR";
+constexpr std::array hindrances{
+    Hindrance{"No space left on device", "free some space there, and where temporary files are made"},
+    Hindrance{"Disk quota exceeded", "delete some files of yours, or ask for more space"},
+    Hindrance{"Read-only file system", other_places},
+    Hindrance{"Input/output error", "look at that disk"},
+    Hindrance{"Permission denied", other_places, true},
+    Hindrance{"Operation not permitted", other_places, true},
+    Hindrance{"Too many open files", "close other programs", true},
+};
+
+/// Throws Error if a compiler or a linker complains that the system does not let it write. What it tells of a learner's
+/// line is not meant: that may have any words in it.
+void check_machine(const Outcome& outcome, const fs::path& mine, const fs::path& folder) {
+    if (outcome.well() || outcome.end == End::stopped) return;
+    for (const std::string_view line : lines_of(outcome.errors)) {
+        if (line.starts_with(' ')) continue;  // a line of source
+        const std::optional<Located> found = located(line);
+        if (found && lies_in(folder / found->place.file, mine)) continue;
+        for (const auto& [words, remedy, is_of_reading_too] : hindrances) {
+            const std::string_view said = line.substr(0, line.find_last_not_of("'.\r ") + 1);
+            const auto tells_of = [&](std::string_view what) { return line.find(what) != std::string_view::npos; };
+            if (!said.ends_with(words)) continue;
+            if (is_of_reading_too && !tells_of("creat") && !tells_of("writ") && !tells_of("output")) continue;
+            throw Error(
+                fmt::format("glassbox learn: error: the compiler cannot write what it makes: {} ({}); {}, and "
+                            "try again",
+                            words, found ? found->rest : std::string(line), remedy));
+        }
+    }
+}
+
+constexpr std::string_view what_to_do =
+    "Run ./glassbox: it builds Glassbox anew, from its source as it is now. If it stays, please report it.";
+
+bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
+
+/// How far an operand reaches that begins at the front of a text, such as "ray.D", "(a + b)" or "dot(a, b)". Backwards
+/// it is the operand at the end of a text, read from its end on.
+std::size_t length_of_operand(std::string_view text, bool backwards) {
+    const auto at = [&](std::size_t i) { return text[backwards ? text.size() - 1 - i : i]; };
+    const char open = backwards ? ')' : '(', close = backwards ? '(' : ')';
+    std::size_t end = 0;
+    for (int depth = 0; end < text.size(); ++end) {
+        if (at(end) == open) ++depth;
+        else if (at(end) == close && --depth < 0) break;
+        else if (depth == 0 && at(end) != close && !in_a_name(at(end))) break;
+    }
+    return end;
+}
+
+/// The operation whose operator stands where the error is.
+Operation operation_at(const CompileError& error) {
+    Operation operation;
+    const std::size_t at = error.place.column - 1;
+    const std::string_view source = error.source;
+    if (error.place.column == 0 || at >= source.size() ||
+        std::string_view("+-*/").find(source[at]) == std::string_view::npos)
+        return operation;
+    operation.sign = source[at];
+    std::string_view left = source.substr(0, at), right = source.substr(at + 1);
+    left = left.substr(0, left.find_last_not_of(' ') + 1);
+    right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
+    const std::size_t before = length_of_operand(left, true), after = length_of_operand(right, false);
+    if (before > 0) operation.left = left.substr(left.size() - before);
+    if (after > 0) operation.right = right.substr(0, after);
+    return operation;
+}
+
+/// The words for a name that is not known, if one that is nearly the same stands in the file.
+std::string suggested(const CompileError& error) {
+    for (const std::string_view opening : {"use of undeclared identifier '", "there are no arguments to '", "'"}) {
+        if (!error.message.starts_with(opening)) continue;
+        const std::string_view rest = std::string_view(error.message).substr(opening.size());
+        const std::string name(rest.substr(0, rest.find('\'')));
+        if (opening == "'" && rest.find("was not declared in this scope") == std::string_view::npos) return "";
+        std::ifstream in(error.place.file);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        std::set<std::string, std::less<>> names;
+        std::string word;
+        for (const char c : text + ' ') {
+            if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') word += c;
+            else if (word.size() > 1 && word != name) names.insert(std::exchange(word, ""));
+            else word.clear();
+        }
+        // Who mistypes a name mostly begins it rightly.
+        std::vector<std::string_view> known;
+        for (const std::string& one : names)
+            if (one[0] == name[0]) known.push_back(one);
+        if (known.empty()) known.assign(names.begin(), names.end());
+        const std::string words = known.empty() || name.size() < 2 ? "" : suggestion(name, known);
+        return words.starts_with("did you mean") ? "Nothing is called " + name + " here; " + words : "";
+    }
+    return "";
+}
+
+/// The words for an include of what a later lesson brings.
+std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
+    std::string name;
+    if (const std::size_t end = error.message.find(": No such file"); end != std::string::npos)
+        name = error.message.substr(0, end);
+    else if (error.message.starts_with("'") && error.message.ends_with("' file not found"))
+        name = error.message.substr(1, error.message.rfind('\'') - 1);
+    if (name.empty()) return "";
+    std::vector<std::string> headers;
+    std::error_code none;
+    for (const fs::directory_entry& lesson : fs::directory_iterator(root / "src/core", none)) {
+        for (const fs::directory_entry& header : fs::directory_iterator(lesson.path(), none)) {
+            headers.push_back(header.path().filename().string());
+            if (headers.back() == name)
+                return fmt::format("{} belongs to lesson {}; this lesson does without it: take the include away.", name,
+                                   lesson.path().filename().string());
+        }
+    }
+    const std::vector<std::string_view> known(headers.begin(), headers.end());
+    const std::string words = known.empty() ? "" : suggestion(name, known);
+    return words.starts_with("did you mean") ? fmt::format("There is no header {}; {}", name, words) : "";
+}
+
+/// The learner's files that are compiled, in the order in which the compiler comes to them.
+std::vector<fs::path> read_files(const OwnHeaders& mine) {
+    std::vector<fs::path> files;
+    const std::function<void(const fs::path&)> read = [&](const fs::path& path) {
+        const fs::path file = path.lexically_normal();
+        const std::string text = content_of(file);
+        if (text.empty() || !lies_in(file, mine.folder) || std::ranges::find(files, file) != files.end()) return;
+        files.push_back(file);
+        const std::size_t place = files.size() - 1;
+        for (const std::string_view line : lines_of(text)) {
+            const std::size_t open = line.find_first_of("<\"");
+            if (line.find("#include") == std::string_view::npos || open == std::string_view::npos) continue;
+            const std::string_view name = line.substr(open + 1, line.find_first_of(">\"", open + 1) - open - 1);
+            read(file.parent_path() / name);
+            read(mine.folder / name);
+        }
+        std::rotate(files.begin() + static_cast<std::ptrdiff_t>(place),
+                    files.begin() + static_cast<std::ptrdiff_t>(place) + 1, files.end());  // after what it includes
+    };
+    for (const fs::path& header : mine.included) read(header);
+    return files;
+}
+
+/// What is not closed in one of the learner's files, if that comes before the error that the compiler tells.
+std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileError& told) {
+    for (const fs::path& file : read_files(mine)) {
+        const bool is_told = told.place.file == file.string();
+        if (const std::optional<Unclosed> found = unclosed_in(content_of(file))) {
+            if (is_told && std::pair(told.place.line, told.place.column) < std::pair(found->line, found->column))
+                return {};
+            CompileError error;
+            error.place = {file.string(), found->line, found->column};
+            error.yours = true;
+            error.source = line_of(file, found->line);
+            error.plain = found->words;
+            error.others = told.others + 1;
+            return error;
+        }
+        if (is_told) return {};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine, const fs::path& folder) {
+    if (compilation.well()) return {};
+    check_machine(compilation, mine.folder, folder);
+    std::vector<Diagnosed> errors = diagnosed(compilation.errors);
+    if (compilation.end != End::exited || errors.empty()) {
+        CompileError error = of_the_compiler_itself(compilation);
+        if (errors.empty()) return error;
+        if (compilation.end == End::stopped) return error;
+    }
+    for (Diagnosed& one : errors) {
+        one.error.place.file = (folder / one.error.place.file).lexically_normal().string();
+        for (Place& place : one.led_there) place.file = (folder / place.file).lexically_normal().string();
+    }
+    const auto is_mine = [&](const Place& place) { return lies_in(place.file, mine.folder); };
+
+    const Diagnosed* chosen = &errors.front();
+    Place place = chosen->error.place;
+    const auto own =
+        std::find_if(errors.begin(), errors.end(), [&](const Diagnosed& one) { return is_mine(one.error.place); });
+    if (own != errors.end()) {
+        chosen = &*own;
+        place = own->error.place;
+    } else {
+        for (const Diagnosed& one : errors) {
+            const auto via = std::find_if(one.led_there.begin(), one.led_there.end(), is_mine);
+            if (via == one.led_there.end()) continue;
+            chosen = &one;
+            place = *via;
+            break;
+        }
+    }
+    CompileError error;
+    error.place = place;
+    error.yours = is_mine(place);
+    error.message = chosen->error.rest;
+    if (may_be_read(place.file, mine, folder)) {
+        error.source = line_of(place.file, place.line);
+        error.plain = suggested(error);
+    }
+    if (error.plain.empty()) error.plain = of_a_later_lesson(error, folder);
+    if (error.plain.empty()) error.plain = in_plain_words(error.message, operation_at(error));
+    if (!error.yours && error.plain.empty())
+        error.plain =
+            "The tests cannot use your headers as they are: has each function the name, the parameters and the result "
+            "that it had in the starter?";
+    error.others = static_cast<int>(errors.size()) - 1;
+    if (std::optional<CompileError> cause = not_closed(mine, error)) return cause;
+    return error;
+}
+
+std::optional<CompileError> link_error(const Outcome& linking) {
+    if (linking.well()) return {};
+    check_machine(linking, {}, {});
+    CompileError error;
+    const std::string undefined = first_line_with(linking.errors, "undefined reference to ");
+    const std::string twice = first_line_with(linking.errors, "multiple definition of ");
+    if (linking.end == End::exited && !undefined.empty()) {
+        error.message = undefined.substr(undefined.find("undefined reference to "));
+        error.plain = "A function is declared, but has no body: is a ; there where its { should be?";
+    } else if (linking.end == End::exited && !twice.empty()) {
+        error.message = twice.substr(twice.find("multiple definition of "));
+        error.plain = "Two things have this name: rename yours.";
+    } else {
+        error.message = "the linker: " + in_words(linking);
+    }
+    return error;
+}
+
+CompileError with_its_cause(CompileError error, const std::function<std::optional<CompileError>()>& with_ours) {
+    if (error.yours) return error;
+    std::optional<CompileError> ours = with_ours();
+    if (!ours) return error;
+    ours->ours = true;
+    ours->plain = fmt::format("This is no mistake of yours: with our own headers it is the same. {}", what_to_do);
+    return *std::move(ours);
+}
+
+Error error_in_ours(const Outcome& compilation, const fs::path& source) {
+    if (compilation.end == End::deadline)
+        return error_at(
+            {source.string()},
+            fmt::format("cannot be compiled: it takes more than {:g} s; is this machine busy with something "
+                        "else? Try again when it is not",
+                        std::chrono::duration<double>(compilation.limits.time).count()));
+    const std::optional<CompileError> error = compile_error(compilation, {}, {});
+    if (!error || error->place.file.empty())
+        return error_at({source.string()},
+                        fmt::format("cannot be compiled: {}. {}", in_words(compilation), what_to_do));
+    return error_at(error->place,
+                    fmt::format("cannot be compiled: {}. This is no mistake of yours. {}", error->message, what_to_do));
+}
+
+std::string with_caret(const CompileError& error) {
+    const std::string before = printable_lines(std::string_view(error.source).substr(0, error.place.column - 1));
+    std::string caret;
+    for (const char c : error.place.column == 0 ? "" : before) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte & 0xC0u) != 0x80u) caret += byte == '\t' ? '\t' : ' ';  // a character of many bytes is one wide
+    }
+    return printable_lines(error.source) + '\n' + caret + '^';
+}
+
+}  // namespace glassbox::learn

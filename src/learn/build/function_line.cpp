@@ -1,0 +1,91 @@
+#include "learn/build/function_line.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace glassbox::learn {
+namespace {
+
+/// The lines of a text without the spaces around them: learners indent as they like.
+std::vector<std::string_view> bare_lines(std::string_view text) {
+    constexpr std::string_view spaces = " \t\r";
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        line.remove_prefix(std::min(line.find_first_not_of(spaces), line.size()));
+        lines.push_back(line.substr(0, line.find_last_not_of(spaces) + 1));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// Where a text says `not_written<…>("function")`; the number of lines if nowhere.
+std::size_t not_written_at(const std::vector<std::string_view>& lines, std::string_view function) {
+    const std::string name = "(\"" + std::string(function) + "\")";
+    const auto says = [&](std::string_view line) {
+        return !line.starts_with("//") && line.find("not_written<") != line.npos && line.find(name) != line.npos;
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(lines, says) - lines.begin());
+}
+
+/// Whether a declaration may begin after that line.
+bool is_boundary(std::string_view line) {
+    return line.empty() || line.starts_with("//") || line.starts_with("template") ||
+           std::string_view(";{}:").find(line.back()) != std::string_view::npos;
+}
+
+/// The line with the brace that opens what the line `inside` stands in.
+std::size_t opening_line(const std::vector<std::string_view>& lines, std::size_t inside) {
+    int closed = 0;
+    for (std::size_t i = inside; i-- > 0;) {
+        for (std::size_t c = lines[i].size(); c-- > 0;) {
+            closed += lines[i][c] == '}' ? 1 : lines[i][c] == '{' ? -1 : 0;
+            if (closed < 0) return i;
+        }
+    }
+    return 0;
+}
+
+/// Where the function's declaration begins in whose body that line stands.
+std::size_t begin_of_declaration(const std::vector<std::string_view>& lines, std::size_t body) {
+    std::size_t begin = opening_line(lines, body);
+    while (begin > 0 && !is_boundary(lines[begin - 1])) --begin;
+    return begin;
+}
+
+/// What a declaration that begins with that line declares: "dot", "operator+", "operator()".
+std::string declared_name(std::string_view line) {
+    const std::string_view before = line.substr(0, line.find('('));
+    const std::string_view name = before.substr(before.find_last_of(' ') + 1);
+    return std::string(name) + (name == "operator" ? "()" : "");
+}
+
+/// Whether a line declares a function of that name, and does not only call it.
+bool declares(std::string_view line, const std::string& name) {
+    const std::size_t at = line.find(" " + name + "(");
+    if (at == std::string_view::npos || at == 0) return false;
+    const std::string_view before = line.substr(0, at);
+    return before.find_first_of("(=") == std::string_view::npos && !before.starts_with("//") &&
+           !before.starts_with("return") && !before.starts_with("else");
+}
+
+}  // namespace
+
+std::size_t line_of_function(std::string_view header, std::string_view starter, std::string_view function) {
+    const std::vector<std::string_view> mine = bare_lines(header), given = bare_lines(starter);
+    if (const std::size_t open = not_written_at(mine, function); open < mine.size()) return open + 1;
+    const std::size_t body = not_written_at(given, function);
+    if (body == given.size()) return 0;
+    // Several functions may have the name, such as the operator() of Textbook and of Stable: it is as many-th as there.
+    const std::size_t begin = begin_of_declaration(given, body);
+    const std::string name = declared_name(given[begin]);
+    const auto is_one = [&](std::string_view line) { return declares(line, name); };
+    auto before = std::count_if(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(begin), is_one);
+    for (std::size_t i = 0; i < mine.size(); ++i)
+        if (is_one(mine[i]) && before-- == 0) return i + 1;
+    return 0;
+}
+
+}  // namespace glassbox::learn

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "learn/check/test_run.hpp"
+#include "learn/course/progress.hpp"
+
+namespace glassbox::learn {
+
+/// What a test run says of one function.
+struct FunctionJudgement {
+    State state = State::unknown;
+    std::string waits_for;  ///< the function that must be written before anything can be said of this one; "" for none
+};
+
+/// What a test run says of an exercise, function by function, and the one thing to look at first.
+struct Judgement {
+    std::vector<FunctionJudgement> functions;  ///< one for each of the exercise's
+    const Function* function = nullptr;  ///< which to look at first; null if all is well, or no function is at fault
+    const CaseResult* shown = nullptr;   ///< which failed case to look at first; null if there is none
+    int failed = 0;                      ///< how many cases fail
+    int waiting = 0;                     ///< how many cannot be run until a function is written
+};
+
+/// Functions count in the order of writing. A case that ends only because a function is called that is not written yet
+/// has not failed: whatever it tests waits for that function. What is returned points into its arguments.
+Judgement judged(const Exercise& exercise, const TestRun& run);
+
+}  // namespace glassbox::learn

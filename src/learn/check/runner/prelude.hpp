@@ -1,0 +1,22 @@
+#pragma once
+// What every test of a lesson includes, compiled once for all of a learner's tests: see learn/build/toolchain.hpp. It
+// lies here, and not among the tests, because it is nobody's test.
+#define DOCTEST_CONFIG_SUPER_FAST_ASSERTS
+#include <doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <ostream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <support/traced_ray.hpp>
+#include <support/ulps.hpp>
+#include <utility>
+#include <vector>

@@ -1,0 +1,79 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "learn/build/compile_error.hpp"
+#include "learn/build/toolchain.hpp"
+#include "learn/course/workspace.hpp"
+
+namespace glassbox::learn {
+
+/// The function that an exception names which lessons/not_written.hpp throws; "" for the text of any other.
+std::string function_not_written(const std::string& threw);
+
+/// The first thing that went wrong in a test case.
+struct Failure {
+    std::string file;  ///< the check's place; "" for an exception that no check caught
+    std::size_t line = 0;
+    std::string expression;             ///< what was checked: "cross(x, y)"
+    std::string expected;               ///< "" where the check is a plain condition
+    std::string got;                    ///< of a condition its two sides: "3 == 4"
+    std::string ulps;                   ///< how far they are apart; "" where it says nothing
+    std::string threw;                  ///< what the exception says, if there was one
+    std::string died;                   ///< what ended the program in the middle of it, in words
+    std::string death;                  ///< the same without what differs from run to run
+    std::vector<std::string> contexts;  ///< "size := 8192"
+    std::vector<std::string> subcases;  ///< "textbook"
+    std::vector<double> ray;            ///< P and D of the ray that was traced last; empty if none was
+    std::vector<double> surface;        ///< against which: a sphere's centre and radius, or a triangle's vertices
+
+    /// The function that is not written yet, if that is all that went wrong; else "".
+    std::string not_written() const;
+};
+
+/// How a test case went.
+struct CaseResult {
+    std::string name;  ///< with the scalar: "at(ray, t) is P + tD<double>"
+    std::optional<Failure> failure = {};
+};
+
+/// How the tests of a lesson went.
+struct TestRun {
+    std::optional<CompileError> error;  ///< they did not compile; then there are no cases
+    std::vector<CaseResult> cases;      ///< in the order of the tests; those after an early end are missing
+    std::vector<std::string> scalars;   ///< in which they ran: "double", "float"
+    std::string disturbed;              ///< why the cases cannot be trusted, in words; "" if they can
+    bool stopped = false;               ///< we were asked to stop
+
+    bool passed() const;
+};
+
+/// Whose headers are tested, and how.
+struct TestRequest {
+    std::filesystem::path headers;             ///< the folder that comes first on the include path
+    std::filesystem::path folder;              ///< where the program is made; it must be there
+    bool at_once = true;                       ///< try several scalars at the same time, to answer soon
+    std::chrono::milliseconds deadline{5000};  ///< for the tests of a scalar
+    /// Is told how it went so far, when all has passed and only the last scalar takes longer.
+    std::function<void(const TestRun&)> so_far = {};
+};
+
+/// Compiles a lesson's tests against headers, runs them in processes of their own and reads what they report: for
+/// double, where that goes well for float, and where that goes well for long double. What is compiled already and has
+/// not changed is run as it is. Throws Error if the machine or the project is not as it should be.
+TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
+                  const TestRequest& request, const std::stop_token& stop = {});
+
+/// The folders that a lesson's programs search for headers: the given ones, and then ours up to the lesson's stage.
+std::vector<std::filesystem::path> includes_of(const Workspace& workspace, const Exercise& exercise,
+                                               const std::filesystem::path& headers);
+
+/// The headers of a lesson in that folder, as a compiler's errors are looked for in them.
+OwnHeaders own_headers(const Exercise& exercise, const std::filesystem::path& headers);
+
+}  // namespace glassbox::learn

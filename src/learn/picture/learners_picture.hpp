@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+
+#include "learn/build/compile_error.hpp"
+#include "learn/build/toolchain.hpp"
+#include "render/image.hpp"
+
+namespace glassbox::learn {
+
+/// The picture of a lesson's program, or why there is none.
+struct LessonPicture {
+    std::optional<CompileError> error;  ///< it did not compile
+    std::string died;                   ///< how it ended before it was done, in words; "" if it did not
+    std::optional<Image> image;
+};
+
+/// Compiles a lesson's main.cpp with the headers in a folder, and ours for what is not there; runs it in a process of
+/// its own; reads the picture that it wrote. `folder` is where the program is made; it must be there. Throws Error if
+/// the machine or the project is not as it should be.
+LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
+                             const std::filesystem::path& headers, const std::filesystem::path& folder,
+                             const std::stop_token& stop = {});
+
+/// The picture in a PPM file of the binary form, P6, with bytes from 0 to 255. Throws Error for anything else.
+Image read_ppm(const std::filesystem::path& file);
+
+}  // namespace glassbox::learn

@@ -1,0 +1,121 @@
+#include "render/measure/judge.hpp"
+
+#include <bounded.hpp>
+
+#include "engine/kernels.hpp"
+#include "numerics/bits_lost.hpp"
+
+namespace glassbox {
+
+namespace {
+
+const Stable& rule_for(const Sphere<double>&) {
+    static constexpr Stable rule;
+    return rule;
+}
+const Pluecker& rule_for(const Triangle<double>&) {
+    static constexpr Pluecker rule;
+    return rule;
+}
+
+/// One ray's surfaces, asked one after the other.
+class ExhaustiveSearch {
+public:
+    ExhaustiveSearch(const engine::Engine& engine, const Ray<double>& ray)
+        : engine_(engine), ray_(ray), bounded_(convert<Bounded>(ray)) {}
+
+    void ask(std::size_t surface) {
+        engine_.with_surface(surface, [&](const auto& shape) {
+            const Silent silent;
+            const Crossing<Bounded> crossing = intersect(bounded_, convert<Bounded>(shape), rule_for(shape), silent);
+            if (!possibly(crossing.met)) return;
+            std::optional<TrueT> t;
+            if (!surely(crossing.met)) {
+                t = exact_crossing(ray_, shape, rule_for(shape));
+                if (!t) return;
+            }
+            ++hits_;
+            if (!nearest_ || is_before({surface, crossing.t, t}, *nearest_))
+                nearest_ = Met{surface, t ? t->to_bounded() : crossing.t, std::move(t)};
+        });
+    }
+
+    TrueHits result() const {
+        if (!nearest_) return {hits_, {}, {}};
+        return {hits_, nearest_->surface, exact_t(*nearest_)};
+    }
+
+private:
+    struct Met {
+        std::size_t surface;
+        Bounded t;
+        std::optional<TrueT> exact;
+    };
+
+    TrueT exact_t(const Met& met) const {
+        if (met.exact) return *met.exact;
+        return *engine_.with_surface(met.surface,
+                                     [&](const auto& shape) { return exact_crossing(ray_, shape, rule_for(shape)); });
+    }
+
+    /// Is `one` what a ray meets first of the two?
+    bool is_before(const Met& one, const Met& other) const {
+        if (surely(one.t < other.t)) return true;
+        if (surely(one.t > other.t)) return false;
+        const int order = compare(exact_t(one), exact_t(other));
+        return order != 0 ? order < 0 : one.surface > other.surface;
+    }
+
+    const engine::Engine& engine_;
+    const Ray<double>& ray_;
+    Ray<Bounded> bounded_;
+    std::optional<Met> nearest_;
+    std::size_t hits_ = 0;
+};
+
+/// Asks all surfaces of a leaf, and goes on to the end.
+float ask_leaf(void* state, std::uint32_t leaf, float until) {
+    auto& [engine, search] = *static_cast<std::pair<const engine::Engine&, ExhaustiveSearch&>*>(state);
+    const engine::Hierarchy& hierarchy = engine.hierarchy();
+    const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
+    const auto [first, count] = leaves[engine::Child::index(leaf)];
+    for (std::uint32_t i = first; i < first + count; ++i) search.ask(hierarchy.surfaces[i]);
+    return until;
+}
+
+/// How many bits of a t that was found in a scalar are lost.
+double lost(long double t, const Exact& truth, Scalar scalar) {
+    if (scalar == Scalar::float_) return bits_lost(static_cast<float>(t), truth);
+    if (scalar == Scalar::long_double) return bits_lost(t, truth);
+    return bits_lost(static_cast<double>(t), truth);
+}
+
+}  // namespace
+
+TrueHits Judge::true_hits(const Ray<double>& ray) const {
+    ExhaustiveSearch search(*engine_, ray);
+    const std::optional<engine::BoxRay> boxes = engine_->size() > few ? engine::box_ray(ray, *engine_) : std::nullopt;
+    if (!boxes) {
+        for (std::size_t surface = 0; surface < engine_->size(); ++surface) search.ask(surface);
+        return search.result();
+    }
+    for (const std::uint32_t surface : engine_->loose()) search.ask(surface);
+    std::pair<const engine::Engine&, ExhaustiveSearch&> state(*engine_, search);
+    engine::WalkCounts counts;
+    engine::walk(engine_->hierarchy(), *boxes, std::numeric_limits<float>::infinity(), ask_leaf, &state, counts);
+    return search.result();
+}
+
+void Judge::judge(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const {
+    constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
+    if (!is_valid(ray)) return;
+    const TrueHits found = true_hits(ray);
+    numbers.verdict = !found.nearest && !numbers.surface   ? right
+                      : !found.nearest                     ? wrong_hit
+                      : !numbers.surface                   ? wrong_miss
+                      : *numbers.surface == *found.nearest ? right
+                                                           : wrong_surface;
+    if (found.nearest && numbers.verdict == right) numbers.bits_lost = lost(numbers.found_t, found.t->exact(), scalar);
+}
+
+}  // namespace glassbox

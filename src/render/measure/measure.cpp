@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+#include "render/measure/judge.hpp"
+#include "render/measure/why_no_value.hpp"
+#include "render/render.hpp"
+#include "render/trace_pixels.hpp"
+
+namespace glassbox {
+
+namespace {
+
+std::vector<Plane> empty_planes(const Measurement& measurement, int width, int height) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::vector<Plane> planes;
+    for (const std::string_view name : measurement.planes)
+        planes.push_back({std::string(name), width, height, std::vector<double>(pixels, no_value)});
+    return planes;
+}
+
+PixelNumbers& numbers_of(PixelNumbers& probe) { return probe; }
+PixelNumbers& numbers_of(WithTriangles& probe) { return probe.numbers; }
+
+/// How far apart two views let the rays of a pixel start.
+double drift(const View& one, const View& other, int x, int y, int height) {
+    const auto [dx, dy, dz] = pixel_ray(one, x, y, height).P - pixel_ray(other, x, y, height).P;
+    return std::hypot(dx, dy, dz);  // whose squares neither overflow nor underflow
+}
+
+/// The reason that came nearest to a value, of all pixels' reasons so far. Pixels are told of by several threads.
+class NearestReason {
+public:
+    void consider(WhyNoValue why) {
+        WhyNoValue last = last_.load(std::memory_order_relaxed);
+        while (last < why && !last_.compare_exchange_weak(last, why, std::memory_order_relaxed)) {
+        }
+    }
+    WhyNoValue get() const { return last_; }
+
+private:
+    std::atomic<WhyNoValue> last_ = WhyNoValue::has_one;
+};
+
+bool has_value(const Plane& plane) {
+    return !std::ranges::all_of(plane.values, [](double value) { return std::isnan(value); });
+}
+
+/// What all of them need together.
+Needs needs_of(std::span<const Measurement* const> wanted) {
+    Needs needs;
+    for (const Measurement* measurement : wanted) {
+        needs.truth |= measurement->needs.truth;
+        needs.triangles |= measurement->needs.triangles;
+        needs.drift |= measurement->needs.drift;
+        needs.all_hits |= measurement->needs.all_hits;
+        needs.boxes |= measurement->needs.boxes;
+    }
+    return needs;
+}
+
+/// Measures with the probe that is just enough.
+template <class Probe>
+std::vector<std::vector<Plane>> measured_by(const Scene& scene, Options options,
+                                            std::span<const Measurement* const> wanted, Job job) {
+    const Needs needs = needs_of(wanted);
+    if (needs.boxes && options.engine == Engine::automatic) options.engine = Engine::fast;
+    // The engine's way to the nearest surface passes over what lies behind it.
+    const bool by_engine = uses_engine(scene, options, false);
+    const bool count_hits = needs.all_hits && by_engine;
+    if (!job.engine && (needs.truth || by_engine)) job.engine = ready(scene, options.stage, job.threads);
+    const View rebuilt = rebuilt_view(scene, turns_of(options));
+    const View accumulated = accumulated_view(scene, turns_of(options));
+    std::optional<Judge> judge;
+    if (needs.truth || count_hits) judge.emplace(job.engine);
+
+    std::vector<std::vector<Plane>> result;
+    for (const Measurement* measurement : wanted)
+        result.push_back(empty_planes(*measurement, scene.width, scene.height));
+
+    std::vector<NearestReason> reasons(wanted.size());
+    trace_pixels<Probe>(scene, options, job, [&](int x, int y, const Ray<double>& ray, Rgb, Probe& probe) {
+        PixelNumbers& numbers = numbers_of(probe);
+        if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
+        if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
+        if (count_hits) numbers.hits = judge->hits(ray);
+        if (needs.truth) judge->judge(ray, options.scalar, numbers);
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
+        for (std::size_t m = 0; m < wanted.size(); ++m) {
+            reasons[m].consider(
+                why_no_value(*wanted[m], numbers, {options, scene.shading.model, by_engine, is_valid(ray)}));
+            const std::array<double, 3> values = wanted[m]->read(numbers);
+            for (std::size_t p = 0; p < result[m].size(); ++p) result[m][p].values[pixel] = values[p];
+        }
+    });
+    for (std::size_t m = 0; m < wanted.size(); ++m)
+        for (Plane& plane : result[m])
+            if (!has_value(plane)) plane.why_no_value = in_words(reasons[m].get(), *wanted[m], options);
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
+                                        std::span<const Measurement* const> wanted, const Job& job) {
+    return needs_of(wanted).triangles ? measured_by<WithTriangles>(scene, options, wanted, job)
+                                      : measured_by<PixelNumbers>(scene, options, wanted, job);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,140 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include <magnitude.hpp>
+#include <triangle.hpp>
+
+#include "render/measure/plane.hpp"
+
+namespace glassbox {
+
+/// The three side products of a triangle as a scalar computed them, with the sizes of their terms and their error
+/// bounds. All are divided by one power of two, so that a double holds them whatever the scalar and the scene's size.
+///
+/// Rounding moves a side product by less than 8u times the sum of its terms' sizes (see filter.hpp). A product that
+/// underflows is off by η/2 more, η the scalar's least positive number: two products in each component of a cross
+/// product, which D then multiplies, and three after that, together less than η(2 + |Dx| + |Dy| + |Dz|).
+template <class Real>
+class ScaledSides {
+public:
+    ScaledSides(const Vec3<Real>& D, const Triangle<Real>& seen)
+        : length_(std::max({exponent(seen.A), exponent(seen.B), exponent(seen.C), tiny / 3})), direction_(exponent(D)) {
+        const Vec3<double> d = scaled(D, direction_);
+        const Triangle<double> triangle{scaled(seen.A, length_), scaled(seen.B, length_), scaled(seen.C, length_)};
+        const Sides<Magnitude> S = glassbox::sides(convert<Magnitude>(d), convert<Magnitude>(triangle));
+        sizes = {S.a.size, S.b.size, S.c.size};
+        values = glassbox::sides(D, seen);
+        sides = {scaled(values.a), scaled(values.b), scaled(values.c)};
+        const double along = (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) * (1 + 0x1p-16);  // rounded, too
+        const double underflow = std::ldexp(1.0, tiny - 2 * length_) * along + std::ldexp(2.0, tiny - length());
+        bounds = {bound(sizes.a, underflow), bound(sizes.b, underflow), bound(sizes.c, underflow)};
+    }
+
+    Sides<Real> values;  ///< not scaled
+    Sides<double> sides, sizes, bounds;
+
+    /// Another number in length² |D|.
+    double scaled(Real number) const { return scaled(number, length()); }
+
+private:
+    using Wide = std::common_type_t<Real, double>;
+
+    static constexpr double u = static_cast<double>(std::numeric_limits<Real>::epsilon()) / 2;
+    /// η is 2 to this power.
+    static constexpr int tiny = std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits;
+
+    int length() const { return 2 * length_ + direction_; }
+
+    /// Of the largest component; 0 where that is of ordinary size, and nothing needs to be scaled.
+    static int exponent(const Vec3<Real>& v) {
+        const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        if (largest > Real(0x1p-60f) && largest < Real(0x1p60f)) return 0;
+        int result = std::numeric_limits<Real>::min_exponent;
+        if (largest > 0 && std::isfinite(largest)) std::frexp(largest, &result);
+        return result;
+    }
+    static double scaled(Real number, int by) {
+        return static_cast<double>(by == 0 ? number : std::ldexp(static_cast<Wide>(number), -by));
+    }
+    static Vec3<double> scaled(const Vec3<Real>& v, int by) {
+        return {scaled(v.x, by), scaled(v.y, by), scaled(v.z, by)};
+    }
+
+    /// The bound is itself rounded, and doubles may underflow in it, too.
+    static double bound(double size, double underflow) {
+        return (8 * u * size + underflow) * (1 + 0x1p-40) + 8 * std::numeric_limits<double>::denorm_min();
+    }
+
+    /// Exponents of the largest coordinate, but not below that of η's cube root, and of D's largest component.
+    int length_, direction_;
+};
+
+/// What the side products of all triangles tested at a pixel say about themselves; `no_value` before the first, and
+/// where a number is too large for the scalar.
+struct TriangleNumbers {
+    double side = no_value;      ///< the smallest side product, over the sum of its terms' sizes
+    double margin = no_value;    ///< log10 of the deciding sign's |s| over its bound, for the least certain triangle
+    double deficit = no_value;   ///< log10 of the paper's difference, the smallest
+    double identity = no_value;  ///< the largest |a+b+c + D·((B−A)×(C−A))|, over an eighth of their bounds
+    bool tested = false;         ///< there was a triangle at all
+
+    /// Takes in one triangle as seen from the ray's start, and the ray's direction.
+    template <class Real>
+    void take(const Triangle<Real>& seen, const Vec3<Real>& D) {
+        tested = true;
+        const ScaledSides<Real> s(D, seen);
+        take_side(s.values.a, s.sides.a, s.sizes.a);
+        take_side(s.values.b, s.sides.b, s.sizes.b);
+        take_side(s.values.c, s.sides.c, s.sizes.c);
+        keep(margin, std::log10(certainty(s.sides, s.bounds)), std::fmin);
+        keep(deficit, log10_of_deficit(seen, D), std::fmin);
+        keep(identity, residual(seen, D, s), std::fmax);
+    }
+
+private:
+    long double smallest_side_ = std::numeric_limits<long double>::infinity();
+
+    static void keep(double& kept, double value, double (*better)(double, double)) { kept = better(kept, value); }
+
+    void take_side(long double s, double scaled, double size) {
+        if (!(std::abs(s) < smallest_side_) || !std::isfinite(size)) return;
+        smallest_side_ = std::abs(s);
+        side = size > 0 ? scaled / size : 0;
+    }
+
+    /// |s| over its bound, of the sign that decides: of a hit, the least certain of the three; of a miss, the less
+    /// certain of one that is surely positive and one that is surely negative.
+    static double certainty(const Sides<double>& s, const Sides<double>& bounds) {
+        const auto over_bound = [](double value, double bound) {
+            return std::isfinite(value) && std::isfinite(bound) ? value / bound : 0.0;
+        };
+        const double a = over_bound(s.a, bounds.a), b = over_bound(s.b, bounds.b), c = over_bound(s.c, bounds.c);
+        const double least = std::min({a, b, c}), greatest = std::max({a, b, c});
+        if (least < 0 && greatest > 0) return std::min(-least, greatest);
+        return std::min({std::abs(a), std::abs(b), std::abs(c)});
+    }
+
+    /// As the tolerance rule itself tells it.
+    template <class Real>
+    static double log10_of_deficit(const Triangle<Real>& seen, const Vec3<Real>& D) {
+        Real told_deficit = 0;
+        const auto listen = [&]<class What, class... Values>(What, const Values&... values) {
+            if constexpr (std::is_same_v<What, told::Deficit>) ((told_deficit = values), ...);
+        };
+        Tolerance{}(Ray<Real>{{}, D}, seen, listen);
+        return static_cast<double>(std::log10(told_deficit));
+    }
+
+    template <class Real>
+    static double residual(const Triangle<Real>& seen, const Vec3<Real>& D, const ScaledSides<Real>& s) {
+        const auto& [A, B, C] = seen;
+        const double difference = s.scaled(s.values.a + s.values.b + s.values.c + dot(D, cross(B - A, C - A)));
+        const double unit = (s.bounds.a + s.bounds.b + s.bounds.c) / 8;
+        return std::isfinite(unit) ? std::abs(difference) / unit : no_value;
+    }
+};
+
+}  // namespace glassbox

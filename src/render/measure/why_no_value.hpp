@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "render/measure/measurements.hpp"
+#include "render/options.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// Why a measurement has no value at a pixel. The later one came nearer to a value: of all pixels' reasons the last
+/// counts.
+enum class WhyNoValue : std::uint8_t {
+    has_one,
+    stage,          ///< the stage does not come to it
+    shading_model,  ///< the shading model does without it
+    triangle_rule,  ///< so does the rule for triangles
+    scalar,         ///< the scalar proves nothing
+    engine,         ///< there is no engine, and so no boxes
+    invalid_ray,    ///< the ray is none: not finite, or without direction
+    no_surface,     ///< none was tested
+    not_in_boxes,   ///< the ray's numbers or the scene's are too large or too small for boxes
+    no_sphere,      ///< none was tested
+    no_triangle,
+    no_hit,
+    wrong_surface,
+    not_a_number,  ///< it was computed, and came out so
+};
+
+/// How a measurement came about at a pixel.
+struct Circumstances {
+    const Options& options;
+    ShadingModel model;
+    bool by_engine;  ///< a hierarchy of boxes chose the surfaces
+    bool valid_ray;
+};
+
+/// From what the pixel's probe has heard.
+WhyNoValue why_no_value(const Measurement& what, const PixelNumbers& numbers, const Circumstances& how);
+
+/// "phong has no half vector"; empty for has_one.
+std::string in_words(WhyNoValue why, const Measurement& what, const Options& options);
+
+}  // namespace glassbox

@@ -1,0 +1,79 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "render/search/prover.hpp"
+
+namespace glassbox {
+
+/// Surfaces one after the other, each with bounds for all rays within reach: found once, they cost a ray nothing.
+struct ListedSurfaces {
+    Surfaces<double> surfaces;
+    std::vector<filter::SphereErrors> sphere_errors;
+    std::vector<filter::TriangleErrors> triangle_errors;
+
+    template <class Use>
+    auto with_surface(std::size_t number, const Use& use) const {
+        return glassbox::with_surface(surfaces, number, use);
+    }
+    const filter::SphereErrors& errors(const Sphere<double>&, std::size_t number, const Ray<double>&) const {
+        return sphere_errors[number];
+    }
+    const filter::TriangleErrors& errors(const Triangle<double>&, std::size_t number, const Ray<double>&) const {
+        return triangle_errors[number - sphere_errors.size()];
+    }
+};
+
+/// With `no_bounds` all are infinite, and decide nothing.
+inline ListedSurfaces listed(Surfaces<double> surfaces, const Reach& reach, bool no_bounds) {
+    ListedSurfaces result{std::move(surfaces), {}, {}};
+    result.sphere_errors.resize(result.surfaces.spheres.size());
+    result.triangle_errors.resize(result.surfaces.triangles.size());
+    if (no_bounds) return result;
+    const auto errors = [&](const auto& surface) { return filter::errors(surface, reach); };
+    std::ranges::transform(result.surfaces.spheres, result.sphere_errors.begin(), errors);
+    std::ranges::transform(result.surfaces.triangles, result.triangle_errors.begin(), errors);
+    return result;
+}
+
+/// Finds what a ray meets first by testing all surfaces, one after the other, and is right: see Prover.
+class CertifiedSearch {
+public:
+    using Number = double;
+
+    /// `reach` must cover all rays that will be traced. With `only_exact` nothing is left to bounds.
+    CertifiedSearch(Surfaces<double> surfaces, const SphereRule& sphere_rule, const TriangleRule& triangle_rule,
+                    const Reach& reach, bool only_exact)
+        : prover_(listed(std::move(surfaces), reach, only_exact), sphere_rule, triangle_rule, only_exact) {}
+
+    /// `ray` must be valid.
+    template <class Probe>
+    std::optional<ProvenHit> trace_proven(const Ray<double>& ray, Probe& probe) const {
+        std::optional<ProvenHit> best;
+        const auto& [spheres, triangles] = prover_.store().surfaces;
+        for (std::size_t i = 0; i < spheres.size(); ++i) prover_.test(best, ray, spheres[i], i, probe);
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            prover_.test(best, ray, triangles[i], spheres.size() + i, probe);
+        return best;
+    }
+
+    /// The same as a plain search answers it.
+    template <class Probe>
+    std::optional<Hit<double>> trace(const Ray<double>& ray, Probe& probe) const {
+        if (!is_valid(ray)) return {};
+        const std::optional<ProvenHit> hit = trace_proven(ray, probe);
+        if (!hit) return {};
+        return Hit<double>{hit->surface, hit->told_t};
+    }
+
+    Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }
+    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return prover_.sharpened(ray, hit); }
+    std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
+        return prover_.true_t(ray, surface);
+    }
+
+private:
+    Prover<ListedSurfaces> prover_;
+};
+
+}  // namespace glassbox

@@ -1,0 +1,33 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include <bounded.hpp>
+#include <ray.hpp>
+
+#include "render/rules.hpp"
+
+namespace glassbox {
+
+class Exact;
+
+/// A hit's t without any rounding. What it is made of, numerics/exact.hpp, takes compilers seconds to read: only who
+/// computes with it includes that.
+class TrueT {
+public:
+    explicit TrueT(Exact t);
+
+    const Exact& exact() const { return *t_; }
+    Bounded to_bounded() const;
+    /// -1, 0 or 1 as a is less than, equal to or greater than b.
+    friend int compare(const TrueT& a, const TrueT& b);
+
+private:
+    std::shared_ptr<const Exact> t_;
+};
+
+// The true t at which a valid ray meets a surface, if it does: the core's formula run without any rounding.
+std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule);
+std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule);
+
+}  // namespace glassbox

@@ -1,0 +1,156 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "engine/kernels.hpp"
+#include "render/search/prover.hpp"
+
+namespace glassbox {
+
+namespace told {
+struct NodesVisited {};  ///< (count): nodes of the hierarchy whose eight boxes were tested
+struct BoxesMissed {};   ///< (count): so many of these the ray misses, or they lie behind what it has met
+struct BoxOpened {};     ///< (code): a box is looked into, of the node or the leaf with that code (engine::Child)
+}  // namespace told
+
+/// A scene's surfaces in the engine. Bounds are found for a ray and a surface when they are asked for: a ray gets near
+/// few of them.
+struct EngineSurfaces {
+    std::shared_ptr<const engine::Engine> engine;
+
+    template <class Use>
+    auto with_surface(std::size_t number, const Use& use) const {
+        return engine->with_surface(number, use);
+    }
+    template <class Surface>
+    auto errors(const Surface& surface, std::size_t, const Ray<double>& ray) const {
+        return filter::errors(surface, reaching({}, ray));
+    }
+};
+
+/// A probe that asks for no more than what a ray meets first.
+template <class Probe>
+concept OnlyNearest = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
+    Probe::only_nearest;
+};
+
+/// A probe that does not listen to the tests themselves, but to what comes of them.
+template <class Probe>
+concept OnlyVerdicts = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
+    Probe::only_verdicts;
+};
+
+/// A probe that wants to hear which boxes are looked into.
+template <class Probe>
+concept HearsBoxes = requires {
+    Probe::hears_boxes;
+};
+
+/// Finds what a ray meets first as CertifiedSearch does, and answers the same. It tests only surfaces whose boxes the
+/// ray meets, and, if the probe is OnlyNearest, not far behind what it has met.
+///
+/// A probe that listens to tests hears those that are made: of all surfaces in a leaf, each by the core's own formula.
+/// For one that does not, vectors first sort out what is surely missed.
+class FastSearch {
+public:
+    using Number = double;
+
+    FastSearch(std::shared_ptr<const engine::Engine> engine, const SphereRule& sphere_rule,
+               const TriangleRule& triangle_rule)
+        : prover_({std::move(engine)}, sphere_rule, triangle_rule, false) {}
+
+    const engine::Engine& engine() const { return *prover_.store().engine; }
+
+    /// `ray` must be valid.
+    template <class Probe>
+    std::optional<ProvenHit> trace_proven(const Ray<double>& ray, Probe& probe) const {
+        const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
+        Walk<Probe> walk{*this, ray, probe, boxes ? &*boxes : nullptr, {}};
+        if (!boxes) {
+            for (std::size_t i = 0; i < engine().size(); ++i) walk.test(i);
+            return walk.best;
+        }
+        for (const std::uint32_t surface : engine().loose()) walk.test(surface);
+        engine::WalkCounts counts;
+        if constexpr (HearsBoxes<Probe>)
+            engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, Walk<Probe>::open, &walk,
+                         counts);
+        else engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, &walk, counts);
+        if constexpr (!OnlyVerdicts<Probe>) {
+            probe(told::NodesVisited{}, counts.nodes);
+            probe(told::BoxesMissed{}, counts.boxes_missed);
+        }
+        return walk.best;
+    }
+
+    /// The same as a plain search answers it.
+    template <class Probe>
+    std::optional<Hit<double>> trace(const Ray<double>& ray, Probe& probe) const {
+        if (!is_valid(ray)) return {};
+        const std::optional<ProvenHit> hit = trace_proven(ray, probe);
+        if (!hit) return {};
+        return Hit<double>{hit->surface, hit->told_t};
+    }
+
+    double t_of(const Ray<double>& ray, std::size_t surface) const { return prover_.t_of(ray, surface); }
+    Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }
+    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return prover_.sharpened(ray, hit); }
+    std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
+        return prover_.true_t(ray, surface);
+    }
+
+private:
+    /// One ray's way through the hierarchy.
+    template <class Probe>
+    struct Walk {
+        const FastSearch& search;
+        const Ray<double>& ray;
+        Probe& probe;
+        const engine::BoxRay* boxes;
+        std::optional<ProvenHit> best;
+
+        void test(std::size_t surface) {
+            search.engine().with_surface(
+                surface, [&](const auto& shape) { search.prover_.test(best, ray, shape, surface, probe); });
+        }
+
+        float until() const {
+            if (!OnlyNearest<Probe> || !best) return std::numeric_limits<float>::infinity();
+            return boxes->until(best->farthest);
+        }
+
+        void test_all(std::uint32_t leaf) {
+            const engine::Engine& all = search.engine();
+            const std::uint32_t index = engine::Child::index(leaf);
+            if (engine::Child::is_of_spheres(leaf)) {
+                const auto [first, count] = all.hierarchy().sphere_leaves[index];
+                for (std::uint32_t i = 0; i < count; ++i) test(all.hierarchy().surfaces[first + i]);
+                return;
+            }
+            const engine::Block& block = all.blocks()[index];
+            if constexpr (OnlyVerdicts<Probe>) {
+                for (std::uint32_t rest = engine::not_missed(block, ray); rest != 0; rest &= rest - 1)
+                    search.prover_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
+            } else {
+                for (std::uint32_t at = 0; at < block.count; ++at)
+                    search.prover_.test(best, ray, block.triangle(at), block.surface[at], probe);
+            }
+        }
+
+        static float visit(void* state, std::uint32_t leaf, float until) {
+            Walk& self = *static_cast<Walk*>(state);
+            const std::optional<ProvenHit> before = self.best;
+            self.test_all(leaf);
+            const bool is_new = self.best && (!before || before->surface != self.best->surface);
+            return is_new ? self.until() : until;
+        }
+
+        static void open(void* state, std::uint32_t child) {
+            static_cast<Walk*>(state)->probe(told::BoxOpened{}, child);
+        }
+    };
+
+    Prover<EngineSurfaces> prover_;
+};
+
+}  // namespace glassbox

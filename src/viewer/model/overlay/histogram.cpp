@@ -1,0 +1,56 @@
+#include "viewer/model/overlay/histogram.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glassbox {
+
+namespace {
+
+std::vector<Bin> whole_bins(double low, double high, int most) {
+    const double each = std::ceil((high - low + 1) / most);
+    std::vector<Bin> bins;
+    for (double from = low; from <= high; from += each) bins.push_back({from, std::min(from + each - 1, high)});
+    return bins;
+}
+
+std::vector<Bin> even_bins(double low, double high, int most) {
+    if (low == high) return {{low, high}};
+    const auto edge = [&](int k) { return std::lerp(low, high, static_cast<double>(k) / most); };
+    std::vector<Bin> bins;
+    for (int k = 0; k < most; ++k) bins.push_back({edge(k), edge(k + 1)});
+    return bins;
+}
+
+}  // namespace
+
+std::optional<std::size_t> Histogram::bin_of(double value) const {
+    if (bins.empty() || !(value >= bins.front().from && value <= bins.back().to)) return {};
+    const auto after =
+        std::upper_bound(bins.begin(), bins.end(), value, [](double v, const Bin& bin) { return v < bin.from; });
+    return static_cast<std::size_t>(after - bins.begin()) - 1;
+}
+
+Histogram histogram(const Plane& plane, const Summary& summary, const Coloring& coloring, int most_bins) {
+    const auto [low, high] = std::pair(coloring.low, coloring.high);
+    Histogram result;
+    if (!summary.any_finite()) return result;
+    // Beyond 2^53 there is not every whole number.
+    result.whole = summary.whole && low == std::floor(low) && high == std::floor(high) &&
+                   std::max(std::abs(low), std::abs(high)) < 0x1p53;
+    result.bins = result.whole ? whole_bins(low, high, most_bins) : even_bins(low, high, most_bins);
+    for (const double value : plane.values)
+        if (const auto bin = result.bin_of(value)) ++result.bins[*bin].count;
+    for (const Bin& bin : result.bins) result.most = std::max(result.most, bin.count);
+    return result;
+}
+
+Distribution distribution(const Measurement& what, const Plane& plane, const SetRange& set) {
+    constexpr int most_bins = 64;
+    const Summary summary = summarized(plane);
+    Coloring coloring = coloring_of(what, summary, what.scale == Scale::direction ? SetRange{} : set);
+    if (what.scale == Scale::direction) coloring.blocks = false;  // its colours pass from one into the next
+    return {summary, coloring, outside(plane, coloring), histogram(plane, summary, coloring, most_bins)};
+}
+
+}  // namespace glassbox

@@ -1,0 +1,25 @@
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "viewer/model/state/state.hpp"
+#include "viewer/model/work/results.hpp"
+#include "viewer/platform/input.hpp"
+
+namespace glassbox {
+
+/// A key and what it does: the list that `?` shows is the list that is obeyed.
+struct KeyBinding {
+    KeyPress press;
+    std::string_view label;  ///< as it is written on the key: "Ctrl+Z"
+    std::string_view what;   ///< in a few words: "undo the last change"
+    std::string_view group;  ///< the heading that it stands under
+    void (*act)(ViewerState&, const Results&, const KeyPress&);
+};
+
+std::span<const KeyBinding> key_bindings();
+
+/// Does what the key means, if it means anything.
+void obey(const KeyPress& press, ViewerState& state, const Results& results);
+
+}  // namespace glassbox

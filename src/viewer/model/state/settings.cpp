@@ -1,0 +1,79 @@
+#include "viewer/model/state/settings.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "output/whole_file.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A number of that name within its range, else the usual one.
+template <class Number>
+Number number(const Json& json, const char* name, Number usual, Number least, Number most) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_number() ? std::clamp(found->get<Number>(), least, most) : usual;
+}
+
+bool flag(const Json& json, const char* name, bool usual) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_boolean() ? found->get<bool>() : usual;
+}
+
+}  // namespace
+
+std::filesystem::path settings_file() {
+    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config)
+        return std::filesystem::path(config) / "glassbox" / "viewer.json";
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return std::filesystem::path(home) / ".config" / "glassbox" / "viewer.json";
+    return {};
+}
+
+Settings read_settings(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    const Json json = in ? Json::parse(in, nullptr, false) : Json::object();
+    if (!json.is_object()) return {};
+    const Settings usual;
+    Settings read;
+    read.appearance.dark = flag(json, "dark", usual.appearance.dark);
+    read.appearance.text_size =
+        number(json, "text_size", usual.appearance.text_size, least_text_size, greatest_text_size);
+    read.side_width = number(json, "side_width", usual.side_width, .1f, .8f);
+    read.space_height = number(json, "space_height", usual.space_height, .1f, .8f);
+    read.space_shown = flag(json, "space_shown", usual.space_shown);
+    read.window_width = number(json, "window_width", usual.window_width, 320, 16384);
+    read.window_height = number(json, "window_height", usual.window_height, 240, 16384);
+    return read;
+}
+
+void write_settings(const std::filesystem::path& file, const Settings& settings) {
+    const Json json = {
+        {"dark", settings.appearance.dark},        {"text_size", settings.appearance.text_size},
+        {"side_width", settings.side_width},       {"space_height", settings.space_height},
+        {"space_shown", settings.space_shown},     {"window_width", settings.window_width},
+        {"window_height", settings.window_height},
+    };
+    std::error_code failed;  // then writing fails too, and says why
+    std::filesystem::create_directories(file.parent_path(), failed);
+    const std::string text = json.dump(2) + '\n';
+    write_whole(file, std::as_bytes(std::span(text)));
+}
+
+Settings settings_of(const ViewerState& state, int window_width, int window_height) {
+    return {state.appearance, state.side_width, state.space_height, state.space_shown, window_width, window_height};
+}
+
+void remember(ViewerState& state, const Settings& settings) {
+    state.appearance = settings.appearance;
+    state.side_width = settings.side_width;
+    state.space_height = settings.space_height;
+    state.space_shown = settings.space_shown;
+}
+
+}  // namespace glassbox

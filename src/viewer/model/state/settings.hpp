@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+
+#include "viewer/model/state/state.hpp"
+
+namespace glassbox {
+
+/// What the viewer remembers from one time to the next.
+struct Settings {
+    Appearance appearance;
+    float side_width = 0.4f, space_height = 0.35f;
+    bool space_shown = true;
+    int window_width = 1280, window_height = 800;
+
+    bool operator==(const Settings&) const = default;
+};
+
+/// Where they are kept: $XDG_CONFIG_HOME/glassbox/viewer.json, or .config/glassbox/viewer.json at home; empty where
+/// there is neither.
+std::filesystem::path settings_file();
+
+/// The settings in a file. What is missing, or makes no sense, is as usual: a spoilt file is no reason not to start.
+Settings read_settings(const std::filesystem::path& file);
+
+/// Throws Error if it cannot be written.
+void write_settings(const std::filesystem::path& file, const Settings& settings);
+
+Settings settings_of(const ViewerState& state, int window_width, int window_height);
+void remember(ViewerState& state, const Settings& settings);
+
+}  // namespace glassbox

@@ -1,0 +1,80 @@
+#include "viewer/model/state/state.hpp"
+
+#include <algorithm>
+
+#include "scene/error.hpp"
+#include "scene/scene_file.hpp"
+
+namespace glassbox {
+
+namespace {
+
+std::optional<Pixel> if_on(const Scene& scene, const std::optional<Pixel>& pixel) {
+    if (pixel && pixel->x < scene.width && pixel->y < scene.height) return pixel;
+    return {};
+}
+
+}  // namespace
+
+ViewerState opened(const std::filesystem::path& file) {
+    ViewerState state;
+    state.file = file;
+    state.scene = std::make_shared<const Scene>(read_scene(file));
+    state.setup = History(setup_of(*state.scene));
+    state.other.scalar = Scalar::double_;
+    return state;
+}
+
+void list_scenes(SceneMenu& menu) {
+    menu.scenes.clear();
+    std::error_code none;
+    if (menu.folder.empty()) return;
+    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(menu.folder, none)) {
+        if (entry.path().extension() != ".toml") continue;
+        try {
+            menu.scenes.push_back({entry.path(), read_scene(entry.path()).title});
+        } catch (const Error&) {  // whoever opens it is told why it cannot be read
+            menu.scenes.push_back({entry.path(), ""});
+        }
+    }
+    std::sort(menu.scenes.begin(), menu.scenes.end(),
+              [](const ListedScene& a, const ListedScene& b) { return a.file < b.file; });
+}
+
+void reload(ViewerState& state) {
+    try {
+        auto scene = std::make_shared<const Scene>(read_scene(state.file));
+        state.setup.replace_all([&](const Setup& setup) { return followed(setup, *state.scene, *scene); });
+        if (scene->width != state.scene->width || scene->height != state.scene->height) state.fit = true;
+        state.scene = std::move(scene);
+        state.pinned = if_on(*state.scene, state.pinned);
+        state.compared = if_on(*state.scene, state.compared);
+        state.file_error.clear();
+    } catch (const Error& error) {
+        state.file_error = error.what();
+    }
+}
+
+void open(ViewerState& state, const std::filesystem::path& file) {
+    try {
+        ViewerState fresh = opened(file);
+        fresh.scene_menu = state.scene_menu;
+        fresh.appearance = state.appearance;
+        fresh.page = state.page;
+        fresh.space_shown = state.space_shown;
+        fresh.box_level = state.box_level;
+        fresh.overlay.measurement = state.overlay.measurement;
+        fresh.overlay.opacity = state.overlay.opacity;
+        fresh.beside = state.beside;
+        fresh.split = state.split;
+        fresh.other = state.other;
+        fresh.mine = state.mine;
+        const learn::Exercise* const lesson = exercise_of(fresh.mine);
+        if (lesson && shows_mine(fresh)) fresh.setup = History(for_lesson(fresh.setup.now(), *lesson));
+        state = std::move(fresh);
+    } catch (const Error& error) {
+        state.file_error = error.what();
+    }
+}
+
+}  // namespace glassbox

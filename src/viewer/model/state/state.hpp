@@ -1,0 +1,140 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "viewer/model/state/history.hpp"
+#include "viewer/model/state/number_form.hpp"
+#include "viewer/model/state/picture_view.hpp"
+#include "viewer/model/state/setup.hpp"
+#include "viewer/model/work/mine.hpp"
+
+namespace glassbox {
+
+/// What is laid over the picture, or beside it.
+struct Overlay {
+    std::string measurement;  ///< its name; empty: none
+    double opacity = 1;
+    std::optional<std::pair<double, double>> range;  ///< of its colours; otherwise that of its values
+
+    bool operator==(const Overlay&) const = default;
+};
+
+/// How the overlay's page looks.
+struct OverlayPage {
+    std::string filter;      ///< of the list of measurements
+    bool log_counts = true;  ///< of the histogram: few pixels can be seen beside many
+};
+
+/// What stands on the right of the split.
+enum class Beside {
+    nothing,          ///< one picture, the overlay over all of it
+    overlay,          ///< the overlay, on the right only
+    other,            ///< the same scene by another scalar and other rules
+    difference,       ///< where that picture differs from this
+    mine,             ///< the same scene by the learner's own code
+    mine_difference,  ///< where that picture differs from this
+};
+
+/// How the interface looks.
+struct Appearance {
+    bool dark = true;
+    float text_size = 18;  ///< pixels of a line, before the display's own scale
+
+    bool operator==(const Appearance&) const = default;
+};
+
+inline constexpr float least_text_size = 12, greatest_text_size = 48;
+
+/// A scene that can be opened.
+struct ListedScene {
+    std::filesystem::path file;
+    std::string title;  ///< empty: it has none, or cannot be read
+};
+
+/// What can be opened instead.
+struct SceneMenu {
+    bool shown = false;
+    std::filesystem::path folder;     ///< of the scenes that come with Glassbox; empty: not there
+    std::vector<ListedScene> scenes;  ///< by name; see list_scenes
+    std::string typed;                ///< a path
+};
+
+/// The pages of the panel on the right.
+enum class Page { inspector, steps, overlay, controls };
+
+/// The space view's camera: looks at the scene's middle from this direction.
+struct Orbit {
+    double azimuth = -60, elevation = 25;  ///< degrees
+    double distance = 1;                   ///< 1: all of the scene is in sight
+
+    bool operator==(const Orbit&) const = default;
+};
+
+/// "Watch it trace": how many pixels of the picture have been shown, in the order of the paper's loops.
+struct Watching {
+    bool on = false;       ///< otherwise the whole picture is shown
+    bool running = false;  ///< otherwise it pauses
+    double shown = 0;      ///< pixels
+    double pixels_per_second = 20000;
+};
+
+/// Everything that the viewer's user has chosen and opened. The interface draws it, keys and scripts change it; what is
+/// computed from it is in Results.
+struct ViewerState {
+    std::filesystem::path file;
+    std::shared_ptr<const Scene> scene;  ///< as the file says it, the last time that it could be read; never null
+    std::string file_error;              ///< why the file cannot be read now; empty if it can
+    History<Setup> setup;
+
+    PictureView view;
+    Point area;       ///< the size of the place where the picture is shown, as last drawn
+    bool fit = true;  ///< the picture is kept as large as fits
+    std::optional<Pixel> hovered, pinned, compared;
+
+    Overlay overlay;
+    OverlayPage overlay_page;
+    Beside beside = Beside::nothing;
+    double split = 0.5;  ///< where the split is, from the picture area's left (0) to its right (1)
+    Options other;       ///< what `Beside::other` is computed by: its scalar and rules count
+    MineChoice mine;     ///< what `Beside::mine` is computed by
+
+    std::size_t step = 0;  ///< on the timeline of the pinned pixel
+    bool playing = false;
+    double steps_per_second = 4;  ///< while it plays
+    double since_step = 0;        ///< how much of the way to the next step is over
+    Watching watching;
+
+    Page page = Page::inspector;
+    Page page_shown = Page::inspector;  ///< the one that was drawn last
+    float side_width = 0.4f;            ///< of the panel on the right, as a part of the window's
+    bool space_shown = true;
+    float space_height = 0.35f;  ///< a part of the window's
+    Orbit orbit;
+    std::optional<int> box_level;                ///< of the engine's hierarchy, whose boxes are drawn in space
+    NumberForm number_form = NumberForm::brief;  ///< of the inspector
+    bool keys_shown = false;
+    bool leaving = false;  ///< the window is to be closed
+    SceneMenu scene_menu;
+    bool turning = false;        ///< the mouse, dragged over the picture, turns the view
+    bool light_refused = false;  ///< what was typed for the light has no direction
+    Appearance appearance;
+};
+
+/// A state with the scene of a file opened. Throws Error if it cannot be read.
+ViewerState opened(const std::filesystem::path& file);
+
+/// Lists the scenes of the menu's folder, with their titles.
+void list_scenes(SceneMenu& menu);
+
+/// Reads the file again: the new scene with the changes kept that the user made; on an error the last good one stays,
+/// and `file_error` says why.
+void reload(ViewerState& state);
+
+/// Opens another file, and forgets pins and changes. On an error all stays, and `file_error` says why.
+void open(ViewerState& state, const std::filesystem::path& file);
+
+}  // namespace glassbox

@@ -1,0 +1,78 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "explain/phrases.hpp"
+#include "explain/story.hpp"
+#include "viewer/model/state/number_form.hpp"
+
+namespace glassbox {
+
+/// A number that the inspector shows, and where `glassbox explain --json` has it.
+struct InspectedNumber {
+    std::string path;                      ///< JSON pointer: of the number, or of the object of a checked one
+    double value = 0;                      ///< of a checked number: its value
+    std::optional<story::Number> checked;  ///< with its bound, its truth and its lost bits
+    bool is_count = false;                 ///< a whole number that nothing rounds: written as such in every form
+};
+
+/// A line: a name, numbers and words. A vector or a colour has three numbers.
+struct InspectorRow {
+    std::string label;  ///< no two rows of a part have the same
+    std::vector<InspectedNumber> numbers;
+    std::string note;
+    std::optional<bool> passed;  ///< of a test
+    std::optional<Rgb> color;    ///< what the numbers are
+    bool with_bar = false;       ///< drawn with its error bar
+};
+
+/// What is drawn above a part's rows.
+enum class Drawing {
+    none,
+    sphere,    ///< the line through the circle
+    triangle,  ///< the triangle as seen along the ray
+    weights,   ///< the three weights, which add up to 1
+    angles,    ///< the dot products
+    terms,     ///< the shading's terms, which add up to the pixel
+    bits,      ///< of the number that lost the most
+};
+
+/// A part of the inspector with a heading, which can be closed.
+struct InspectorPart {
+    std::string title;                      ///< no two parts at one place have the same
+    std::string note;                       ///< beside the title, in words
+    std::optional<bool> passed;             ///< of a test
+    std::optional<InspectedNumber> number;  ///< that the title names
+    std::optional<Rgb> color;
+    bool open = true;  ///< at first
+    Drawing drawing = Drawing::none;
+    std::optional<std::size_t> surface;  ///< which of story.surfaces is drawn
+    std::vector<InspectorRow> rows;
+    std::vector<InspectorPart> parts;
+};
+
+/// All that the inspector shows, in the order of `glassbox explain`.
+std::vector<InspectorPart> inspector(const Story& story);
+
+/// The number's value as it is written alone.
+std::string written(const InspectedNumber& number, NumberForm form);
+
+/// The value and its bound as they are written side by side: "2500" and "± 3.1e-10". Without one the bound is empty.
+WithBound written_with_bound(const InspectedNumber& number, NumberForm form);
+
+/// Everything that is known about a number, with all digits.
+struct NumberFact {
+    std::string path;  ///< JSON pointer
+    std::string name, text;
+};
+std::vector<NumberFact> facts(const InspectedNumber& number);
+
+/// The angle of a dot product of unit vectors, in degrees; rounding may have carried it beyond ±1.
+double angle(double cosine);
+
+/// How many bits the scalar of a story's steps has.
+int digits_of_steps(const Options& options);
+
+}  // namespace glassbox

@@ -1,0 +1,80 @@
+#include "viewer/model/story/lesson.hpp"
+
+#include <string_view>
+
+#include "explain/words.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// Which function a named number is the result of, where its last operation is one of vectors and does not say so.
+struct Formula {
+    std::string_view name, file, function;
+};
+
+constexpr Formula formulas[] = {
+    {"a", "/pluecker.hpp", "side"},
+    {"b", "/pluecker.hpp", "side"},
+    {"c", "/pluecker.hpp", "side"},
+    {"(A − P)", "/triangle.hpp", "seen_from"},
+    {"(B − P)", "/triangle.hpp", "seen_from"},
+    {"(C − P)", "/triangle.hpp", "seen_from"},
+    {"point", "/ray.hpp", "at"},
+    {"l", "/vec3.hpp", "unit"},
+    {"r", "/vec3.hpp", "unit"},
+    {"h", "/shading.hpp", "halfway"},
+    {"m", "/shading.hpp", "highlight_phong"},
+    {"r·m", "/shading.hpp", "highlight_phong"},
+    {"n·h", "/shading.hpp", "highlight_blinn"},
+    {"n·l", "/shading.hpp", "shade"},
+    {"n·r", "/shading.hpp", "shade"},
+    {"ambient", "/shading.hpp", "shade"},
+    {"diffuse", "/shading.hpp", "shade"},
+    {"specular", "/shading.hpp", "shade"},
+    {"sum", "/shading.hpp", "to_rgb"},
+    {"colour", "/ray_color.hpp", "ray_color"},
+};
+
+/// "point" of "point.x".
+std::string_view without_axis(std::string_view name) {
+    const bool has_axis = name.size() > 2 && name[name.size() - 2] == '.';
+    return has_axis ? name.substr(0, name.size() - 2) : name;
+}
+
+Described described_by_name(const Story& story, std::string_view name) {
+    if (name == "n") {
+        const bool sphere = [&] {
+            for (const story::Surface& surface : story.surfaces)
+                if (story.hit && surface.number == story.hit->surface) return surface.kind == story::Kind::sphere;
+            return false;
+        }();
+        return described_function(sphere ? "/sphere.hpp" : "/triangle.hpp", "normal");
+    }
+    for (const Formula& formula : formulas)
+        if (formula.name == name) return described_function(formula.file, formula.function);
+    return {};
+}
+
+}  // namespace
+
+Described lesson_of(const Story& story, const Event& event) {
+    if (!event.place) return event.function.empty() ? Described{} : described_function(event.file, event.function);
+    const StepPlace& place = event.serves ? *event.serves : *event.place;
+    const story::StoryStep& told = tape_of(story, place)[place.step];
+    const Described by_name = described_by_name(story, without_axis(told.name));
+    if (!by_name.text.empty()) return by_name;
+    const SourceFile* const file = find_source(source(told.step.file));
+    return file ? described_at(*file, static_cast<std::size_t>(told.step.line)) : Described{};
+}
+
+SourceLine source_of(const Story& story, const Event& event) {
+    if (!event.place) {
+        const Described described = lesson_of(story, event);
+        return {described.file, 0};
+    }
+    const Step& step = tape_of(story, *event.place)[event.place->step].step;
+    return {find_source(source(step.file)), static_cast<std::size_t>(step.line)};
+}
+
+}  // namespace glassbox

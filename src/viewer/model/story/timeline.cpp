@@ -1,0 +1,231 @@
+#include "viewer/model/story/timeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "explain/loss.hpp"
+#include "explain/phrases.hpp"
+#include "explain/words.hpp"
+#include "render/option_names.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using story::Fate;
+using story::StoryStep;
+using story::Surface;
+
+using Steps = std::span<const StoryStep>;
+
+/// Vectors: what is done there serves a formula elsewhere.
+bool is_general(const Step& step) { return std::string_view(step.file).ends_with("vec3.hpp"); }
+
+/// For each step, the first one it leads to that is `wanted`, itself included.
+template <class Wanted>
+std::vector<std::optional<StepNumber>> leads_to(Steps steps, const Wanted& wanted) {
+    std::vector<std::optional<StepNumber>> found(steps.size());
+    const auto earlier = [](std::optional<StepNumber> a, std::optional<StepNumber> b) {
+        return !a ? b : !b ? a : std::min(*a, *b);
+    };
+    for (std::size_t i = steps.size(); i-- > 0;) {
+        const Step& step = steps[i].step;
+        if (operands(step.operation) == 0) continue;
+        if (wanted(steps[i])) found[i] = static_cast<StepNumber>(i);
+        for (const StepNumber operand : {step.left, step.right}) found[operand] = earlier(found[operand], found[i]);
+    }
+    return found;
+}
+
+/// For each step the first one that did the same with the same: a formula asked for twice computes all anew.
+std::vector<StepNumber> first_of_the_same(Steps steps) {
+    std::map<std::tuple<Operation, StepNumber, StepNumber, long double>, StepNumber> seen;
+    std::vector<StepNumber> first(steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const auto& [operation, left, right, value, file, line] = steps[i].step;
+        const auto number = static_cast<StepNumber>(i);
+        first[i] = operation == Operation::input ? number
+                   : operation == Operation::constant
+                       ? seen.try_emplace({operation, 0, 0, value}, number).first->second
+                       : seen.try_emplace({operation, first[left], first[right], 0}, number).first->second;
+    }
+    return first;
+}
+
+std::string what_happens(Steps steps, const StoryStep& told) {
+    const std::string done = operation(steps, told.step);
+    return is_comparison(told.step.operation) ? done : fmt::format("{} = {}", short_number(told.checked.value), done);
+}
+
+/// Writes down the events of a story.
+class Teller {
+public:
+    explicit Teller(const Story& story) : story_(story) {}
+
+    std::vector<Event> tell() && {
+        tell_ray();
+        for (std::size_t row = 0; row < story_.surfaces.size(); ++row) tell_surface(row);
+        if (story_.options.stage > 1) tell_nearest();
+        if (story_.hit) tell_hit();
+        tell_pixel();
+        return std::move(events_);
+    }
+
+private:
+    /// A function of the core: the end of its file's path, and its name.
+    struct Function {
+        std::string_view file, name;
+    };
+
+    void add(std::string what, std::optional<bool> holds = {}, Function function = {}) {
+        Event event;
+        event.file = function.file;
+        event.function = function.name;
+        event.group = group_;
+        event.what = std::move(what);
+        event.holds = holds;
+        event.failed = holds == false;
+        events_.push_back(std::move(event));
+    }
+
+    /// `is_told` chooses among the steps, and may begin a new group.
+    template <class IsTold>
+    void tell_steps(Steps steps, std::optional<std::size_t> row, const IsTold& is_told) {
+        const std::vector<Symbol> written = symbols(steps);
+        const auto served = leads_to(steps, [](const StoryStep& s) { return !s.name.empty() || !is_general(s.step); });
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const StoryStep& told = steps[i];
+            const int count = operands(told.step.operation);
+            if (count == 0 || !is_told(i)) continue;
+            const bool compares = is_comparison(told.step.operation);
+            add(what_happens(steps, told), compares ? std::optional(told.checked.value != 0) : std::nullopt);
+            Event& event = events_.back();
+            event.formula = written[i].result.empty() ? written[i].formula : written[i].result;
+            event.cancellation = is_cancellation(steps, told);
+            event.place = StepPlace{row, static_cast<StepNumber>(i)};
+            if (served[i]) event.serves = StepPlace{row, *served[i]};
+            event.left = written[told.step.left].written;
+            if (count == 2) event.right = written[told.step.right].written;
+        }
+    }
+
+    void tell_ray() {
+        group_ = "the ray";
+        add(fmt::format("the ray of column {}, row {}: P = {}, D = {}", story_.column, story_.row, triple(story_.ray.P),
+                        triple(story_.ray.D)),
+            {}, {"/ray.hpp", "Ray"});
+        events_.back().formula = "f(t) = P + tD";
+        tell_steps(story_.ray_steps, {}, [](std::size_t) { return true; });
+    }
+
+    void tell_surface(std::size_t row) {
+        const Surface& surface = story_.surfaces[row];
+        group_ = fmt::format("surface {}, {}", surface.number, word(surface.kind));
+        const Function rule = rule_of(surface);
+        add(group_ + ", is tested", {}, rule);
+        tell_steps(surface.steps, row, [](std::size_t) { return true; });
+        const bool met = is_met(surface.fate);
+        std::string verdict =
+            met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
+        if (surface.needed_exact) verdict += ", decided in exact arithmetic";
+        add(fmt::format("surface {}: {}", surface.number, verdict), met, rule);
+    }
+
+    Function rule_of(const Surface& surface) const {
+        const Options& options = story_.options;
+        if (std::holds_alternative<story::TriangleTest>(surface.test))
+            return {"/triangle.hpp", struct_of(options.triangle_rule)};
+        const bool history = std::holds_alternative<Levental2014>(options.sphere_rule);
+        return {history ? "/levental_2014.hpp" : "/sphere.hpp", struct_of(options.sphere_rule)};
+    }
+
+    void tell_nearest() {
+        group_ = "which is nearest";
+        if (story_.not_listed > 0) add(fmt::format("{} more surfaces are tested, and missed", story_.not_listed));
+        constexpr Function by{"/crossing.hpp", "nearest"};
+        if (!story_.hit) add("nothing is met: the background", {}, by);
+        else
+            add(fmt::format("nearest of {} met: surface {}, at t = {}{}", story_.met, story_.hit->surface,
+                            short_number(story_.hit->t.value),
+                            story_.hit->t_by_exact ? ", the truth rounded once" : ""),
+                {}, by);
+    }
+
+    void tell_hit() {
+        const Steps steps = story_.hit->steps;
+        const auto named = leads_to(steps, [](const StoryStep& s) { return !s.name.empty(); });
+        const std::vector<StepNumber> first = first_of_the_same(steps);
+        const bool cut = story_.hit->shade && story_.hit->shade->model == ShadingModel::levental_2014;
+        tell_steps(steps, {}, [&](std::size_t i) {
+            const std::string goal = named[i] ? steps[*named[i]].name : "";
+            if (i < story_.hit->tested_before || first[i] != i) return false;
+            if (cut && goal.starts_with("sum.")) return false;  // that model adds bytes: the sum is the story's own
+            if (goal.starts_with("point.")) group_ = "the point";
+            else if (goal.starts_with("n.")) group_ = "the normal";
+            else if (!goal.empty()) group_ = "the light";
+            else if (std::string_view(steps[i].step.file).ends_with("rgb.hpp")) group_ = "the bytes";
+            return true;
+        });
+    }
+
+    void tell_pixel() {
+        group_ = "the pixel";
+        const Function by = story_.options.stage == 1         ? Function{"/ray_color.hpp", "ray_color"}
+                            : story_.hit && story_.hit->shade ? Function{"/shading.hpp", "to_rgb"}
+                                                              : Function{};
+        if (story_.hit && story_.hit->shade && story_.hit->shade->model == ShadingModel::levental_2014) {
+            const story::Shade& shade = *story_.hit->shade;
+            add(fmt::format("cut to bytes: ambient {} + diffuse {} + specular {}", triple(shade.ambient.bytes),
+                            triple(shade.diffuse.bytes), triple(shade.specular.bytes)),
+                {}, by);
+        }
+        add(fmt::format("the ray brings {}", triple(story_.traced)), {}, by);
+        if (story_.border) add(fmt::format("the border is painted over it: {}", triple(story_.color)));
+    }
+
+    const Story& story_;
+    std::string group_;
+    std::vector<Event> events_;
+};
+
+}  // namespace
+
+std::vector<Event> timeline(const Story& story) { return Teller(story).tell(); }
+
+std::span<const StoryStep> tape_of(const Story& story, const StepPlace& place) {
+    if (place.row) return story.surfaces[*place.row].steps;
+    return story.hit ? Steps(story.hit->steps) : Steps(story.ray_steps);
+}
+
+std::size_t stepped(std::span<const Event> events, std::size_t now, StepTo to) {
+    if (events.empty()) return 0;
+    const std::size_t last = events.size() - 1;
+    const auto next = [&](bool Event::*wanted) {
+        for (std::size_t i = now + 1; i <= last; ++i)
+            if (events[i].*wanted) return i;
+        return std::min(now, last);
+    };
+    switch (to) {
+        case StepTo::first:
+            return 0;
+        case StepTo::back:
+            return now > 0 ? std::min(now - 1, last) : 0;
+        case StepTo::forward:
+            return std::min(now + 1, last);
+        case StepTo::last:
+            return last;
+        case StepTo::next_failed:
+            return next(&Event::failed);
+        case StepTo::next_cancellation:
+            return next(&Event::cancellation);
+    }
+    return now;
+}
+
+}  // namespace glassbox

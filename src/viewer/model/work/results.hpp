@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "explain/story.hpp"
+#include "learn/picture/maker.hpp"
+#include "render/image.hpp"
+#include "render/measure/measurements.hpp"
+#include "render/measure/plane.hpp"
+#include "viewer/model/story/timeline.hpp"
+
+namespace glassbox {
+
+struct BoxLevels;
+
+/// A picture, perhaps a coarse one that a finer one will follow.
+struct Picture {
+    std::shared_ptr<const Image> image;  ///< null: none yet
+    int factor = 1;                      ///< it has 1/factor of the pixels of the final one's width and height
+};
+
+/// What a measurement measured, perhaps coarsely.
+struct MeasuredPlanes {
+    const Measurement* what = nullptr;
+    std::vector<Plane> planes;
+    int factor = 1;
+};
+
+/// What was computed for a ViewerState: the newest of each kind, until something newer is there. `serial` numbers rise
+/// with each new version, for whoever keeps something made from it.
+struct Results {
+    Picture picture, other;  ///< the other one by another scalar or rule, or by the learner's code
+    /// How the learner's picture stands; null: it is not shown, or nothing is known yet. While it has no drawing of its
+    /// own, `other` is the last one that there was; else `other` is that drawing.
+    std::shared_ptr<const learn::mine::News> mine;
+    std::shared_ptr<const MeasuredPlanes> overlay;  ///< null: none
+    std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none
+    std::vector<Event> timeline;                    ///< of that story; empty without one
+    std::shared_ptr<const Story> compared;          ///< of the second pinned pixel; null: none
+    std::shared_ptr<const BoxLevels> boxes;         ///< the engine's hierarchy; null: not drawn, or not there yet
+    std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
+    std::uint64_t mine_serial = 0;
+
+    double progress = 1;  ///< of the picture that is being rendered, 0 to 1
+    bool busy = false;    ///< something is still being computed
+    std::string error;    ///< why something could not be computed; empty if nothing went wrong
+};
+
+}  // namespace glassbox

@@ -1,0 +1,151 @@
+#include "viewer/ui/mine/mine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/option_names.hpp"
+#include "viewer/ui/overlay/parts.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
+
+namespace glassbox {
+
+namespace {
+
+using learn::mine::News;
+using learn::mine::Stand;
+
+void pin(ViewerState& state, learn::mine::Spot spot) {
+    state.pinned = Pixel{spot.x, spot.y};
+    state.step = 0;
+    state.playing = false;
+}
+
+/// The line that does not compile, with a caret below the place.
+std::string source_of(const News& news) {
+    return news.error && !news.error->source.empty() ? learn::with_caret(*news.error) : "";
+}
+
+void choose_lesson(const Frame& frame) {
+    ViewerState& state = frame.state;
+    if (!state.mine.workspace) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Lesson");
+    for (const learn::Exercise& exercise : state.mine.workspace->exercises) {
+        const std::string label = fmt::format("{}##mine", exercise.number);
+        flow(label.c_str(), ImGui::GetStyle().ItemInnerSpacing.x);
+        if (toggle(label.c_str(), exercise.number == state.mine.lesson)) show_mine(state, exercise.number);
+        tip(exercise.title.c_str());
+    }
+}
+
+std::string how_long(const News& news) {
+    std::string text = fmt::format("drawn in {:.2f} s", news.draw_seconds);
+    if (news.compile_seconds > 0) text = fmt::format("compiled in {:.1f} s, ", news.compile_seconds) + text;
+    return text;
+}
+
+}  // namespace
+
+MineSign mine_sign(const Frame& frame) {
+    const Palette& palette = frame.palette;
+    if (!frame.state.mine.problem.empty()) return {"⚠", palette.warning};
+    if (!frame.results.mine) return {"…", palette.faint_text};
+    switch (frame.results.mine->stand) {
+        case Stand::not_there:
+            return {"⚠", palette.warning};
+        case Stand::compiling:
+        case Stand::drawing:
+            return {"…", palette.faint_text};
+        case Stand::not_written:
+            return {"☐", palette.warning};
+        case Stand::drawn:
+            return frame.results.mine->spot ? MineSign{"⚠", palette.warning} : MineSign{"✓", palette.passed};
+        case Stand::does_not_compile:
+        case Stand::failed:
+            break;
+    }
+    return {"✗", palette.failed};
+}
+
+std::string mine_words(const Frame& frame) {
+    if (!frame.state.mine.problem.empty()) return frame.state.mine.problem;
+    if (!frame.results.mine) return "";
+    const News& news = *frame.results.mine;
+    if (!news.error || news.error->plain.empty()) return news.words;
+    return news.words + "\n" + news.error->plain;
+}
+
+std::string mine_title(const ViewerState& state) {
+    const learn::Exercise* const exercise = exercise_of(state.mine);
+    return "mine: " + (exercise ? exercise->name : "no lesson");
+}
+
+bool mine_is_old(const Frame& frame) {
+    return frame.results.mine && !frame.results.mine->drawing && frame.results.other.image;
+}
+
+void draw_mine_banner(const Frame& frame, ImVec2 corner, ImVec2 size, float left) {
+    const std::string words = mine_words(frame);
+    if (words.empty()) return;
+    const auto [sign, color] = mine_sign(frame);
+    const float font = ImGui::GetFontSize(), pad = font / 2;
+    const float room = corner.x + size.x - left - 3 * pad;
+    if (room < 6 * font) return;
+    const std::string text = wrapped(fmt::format("{} {}", sign, words), room);
+    const std::string source = frame.results.mine ? source_of(*frame.results.mine) : "";
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 lines = frame.fonts.mono->CalcTextSizeA(font, 1e9f, 0, source.c_str());
+    const float below = source.empty() ? 0 : lines.y + pad / 2;
+    const ImVec2 to{std::min(corner.x + size.x - pad / 2, left + 2.5f * pad + std::max(extent.x, lines.x)),
+                    corner.y + size.y - pad / 2};
+    const ImVec2 from{left + pad / 2, std::max(corner.y, to.y - extent.y - below - 2 * pad)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_PopupBg), pad / 2);
+    list.AddRect(from, to, color, pad / 2, 0, std::max(2.f, font / 9));
+    list.PushClipRect(from, to, true);
+    list.AddText(ImGui::GetFont(), font, {from.x + pad, from.y + pad}, frame.palette.text, text.c_str());
+    if (!source.empty())
+        list.AddText(frame.fonts.mono, font, {from.x + pad, from.y + pad + extent.y + pad / 2}, frame.palette.text,
+                     source.c_str());
+    list.PopClipRect();
+}
+
+void draw_mine_panel(const Frame& frame) {
+    ViewerState& state = frame.state;
+    if (!shows_mine(state)) return;
+    choose_lesson(frame);
+    const auto [sign, color] = mine_sign(frame);
+    const std::string words = mine_words(frame);
+    const News* const news = frame.results.mine.get();
+    const bool drawn = news && news->stand == Stand::drawn;
+    draw_wrapped(color, fmt::format("{} {}", sign, words.empty() && drawn ? how_long(*news) : words));
+    if (!news) return;
+    if (const std::string source = source_of(*news); !source.empty()) {
+        ImGui::PushFont(frame.fonts.mono);
+        ImGui::TextUnformatted(source.c_str());
+        ImGui::PopFont();
+    }
+    if (news->error && news->error->others > 0)
+        faint(frame, fmt::format("and {} more after it, which it may have caused", news->error->others));
+    if (news->spot && ImGui::Button(fmt::format("Pin ({}, {})", news->spot->x, news->spot->y).c_str()))
+        pin(state, *news->spot);
+    if (mine_is_old(frame)) faint(frame, "The picture is the last one that there was.");
+    if (drawn && news->drawing->not_numbers > 0) swatch({255, 0, 255}, "not a number (NaN)");
+    if (drawn && news->drawing->undecided > 0) swatch({255, 160, 0}, "undecided; counted below where it is not ours");
+    const learn::Exercise* const exercise = exercise_of(state.mine);
+    if (exercise && state.setup.now().options.scalar != scalar_of(*exercise))
+        draw_wrapped(frame.palette.warning,
+                     fmt::format("⚠ Ours is not computed in {} now: it may differ from mine by rounding alone.",
+                                 name_of(scalar_of(*exercise))));
+    if (news->said.empty()) return;
+    faint(frame, "It printed:");
+    ImGui::PushFont(frame.fonts.mono);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(news->said.c_str(), news->said.c_str() + std::min<std::size_t>(news->said.size(), 2000));
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+}  // namespace glassbox

@@ -1,0 +1,95 @@
+#include "viewer/ui/picture/pictures.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "output/coloring.hpp"
+#include "viewer/model/work/watching.hpp"
+
+namespace glassbox {
+
+namespace {
+
+std::vector<Rgba> opaque(const Image& image) {
+    std::vector<Rgba> pixels;
+    pixels.reserve(image.pixels.size());
+    for (const Rgb& c : image.pixels) pixels.push_back({c.red, c.green, c.blue, 255});
+    return pixels;
+}
+
+void fill(Texture& texture, const Image& image) { texture.fill(image.width, image.height, opaque(image)); }
+
+/// A learner's picture, with what is not a number, or not decided, in colours of their own, and nothing where nothing
+/// is drawn.
+void fill(Texture& texture, const learn::mine::Drawing& drawing) {
+    std::vector<Rgba> pixels = opaque(drawing.image);
+    if (drawing.drawn == 0) std::fill(pixels.begin(), pixels.end(), Rgba{0, 0, 0, 0});
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (drawing.states[i] == learn::mine::SheetPixel::not_a_number) pixels[i] = {255, 0, 255, 255};
+        else if (drawing.states[i] == learn::mine::SheetPixel::undecided) pixels[i] = {255, 160, 0, 255};
+    texture.fill(drawing.image.width, drawing.image.height, pixels);
+}
+
+/// What the paper's loops have reached after so many pixels: columns from the left, in each the rows from the bottom.
+/// The rest is blank.
+std::vector<Rgba> watched(const Image& image, std::size_t shown) {
+    std::vector<Rgba> pixels(image.pixels.size(), Rgba{0, 0, 0, 0});
+    const auto width = static_cast<std::size_t>(image.width);
+    for (std::size_t k = 0; k < std::min(shown, pixels.size()); ++k) {
+        const auto [column, row] = loop_place(k, image.height);
+        const std::size_t pixel =
+            static_cast<std::size_t>(image.height - 1 - row) * width + static_cast<std::size_t>(column);
+        const Rgb c = image.pixels[pixel];
+        pixels[pixel] = {c.red, c.green, c.blue, 255};
+    }
+    return pixels;
+}
+
+/// So many of the scene's pixels, in pixels of an image of it that may be a coarse one.
+std::size_t on_image(std::size_t shown, const Image& image, const ViewerState& state) {
+    return static_cast<std::size_t>(static_cast<double>(shown) * static_cast<double>(image.pixels.size()) /
+                                    pixels(state));
+}
+
+}  // namespace
+
+void Pictures::update(const ViewerState& state, const Results& results) {
+    const auto renewed = [](std::uint64_t& have, std::uint64_t now) { return std::exchange(have, now) != now; };
+
+    const auto shown = state.watching.on ? std::optional(static_cast<std::size_t>(state.watching.shown)) : std::nullopt;
+    const bool other_watched = std::exchange(watched_, shown) != shown;
+    if ((renewed(picture_serial_, results.picture_serial) || other_watched) && results.picture.image) {
+        const Image& image = *results.picture.image;
+        if (shown) picture_.fill(image.width, image.height, watched(image, on_image(*shown, image, state)));
+        else fill(picture_, image);
+    }
+
+    const bool other_range = std::exchange(overlay_range_, state.overlay.range) != state.overlay.range;
+    const bool other_overlay = renewed(overlay_serial_, results.overlay_serial);
+    if (!results.overlay) distributions_.clear();
+    else if (other_overlay || other_range || distributions_.empty()) {
+        const auto& [what, planes, factor] = *results.overlay;
+        fill(overlay_, colored({what, planes}, state.overlay.range));
+        distributions_.clear();
+        for (const Plane& plane : planes) distributions_.push_back(distribution(*what, plane, state.overlay.range));
+    }
+
+    const Picture &one = results.picture, &other = results.other;
+    if (renewed(other_serial_, results.other_serial) && other.image) {
+        const bool mine = results.mine && results.mine->drawing && &results.mine->drawing->image == other.image.get();
+        if (mine) fill(other_, *results.mine->drawing);
+        else fill(other_, *other.image);
+    }
+    if (!other.image) differing_.reset();
+    if (!renewed(difference_serial_, results.picture_serial + results.other_serial)) return;
+    differing_.reset();
+    if (!one.image || !other.image || one.image->width != other.image->width ||
+        one.image->height != other.image->height)
+        return;
+    const Difference found = picture_difference(*one.image, *other.image);
+    fill(difference_, found.magnified);
+    if (one.factor == 1 && other.factor == 1) differing_ = {found.pixels, found.greatest, found.where};
+}
+
+}  // namespace glassbox

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "viewer/model/overlay/difference.hpp"
+#include "viewer/model/overlay/histogram.hpp"
+#include "viewer/model/state/state.hpp"
+#include "viewer/model/work/results.hpp"
+#include "viewer/platform/texture.hpp"
+
+namespace glassbox {
+
+/// The computed pictures as textures, and what is to be said of them: renewed when there is something newer.
+class Pictures {
+public:
+    void update(const ViewerState& state, const Results& results);
+
+    const Texture& picture() const { return picture_; }
+    const Texture& overlay() const { return overlay_; }        ///< a measurement's colours
+    const Texture& other() const { return other_; }            ///< another scalar's or rule's picture
+    const Texture& difference() const { return difference_; }  ///< between the two
+
+    /// What the overlay's colours stand for, a plane each; empty while nothing is measured.
+    const std::vector<Distribution>& distributions() const { return distributions_; }
+
+    /// How much the final pictures differ; nothing until both are there.
+    struct Differing {
+        std::int64_t pixels;
+        int greatest;
+        Pixel where;
+    };
+    const std::optional<Differing>& differing() const { return differing_; }
+
+private:
+    Texture picture_, overlay_, other_, difference_;
+    std::uint64_t picture_serial_ = 0, overlay_serial_ = 0, other_serial_ = 0, difference_serial_ = 0;
+    std::vector<Distribution> distributions_;
+    std::optional<Differing> differing_;
+    SetRange overlay_range_;
+    std::optional<std::size_t> watched_;  ///< pixels, while the tracing is watched
+};
+
+}  // namespace glassbox

@@ -1,0 +1,23 @@
+#pragma once
+#include <imgui.h>
+
+#include "viewer/model/state/state.hpp"
+
+namespace glassbox {
+
+/// Colours with a meaning. Whatever is told by colour is told by a sign or a word, too: ✓ and ✗, say.
+struct Palette {
+    ImU32 passed, failed;  ///< green and red that the colour-blind can tell apart
+    ImU32 warning;         ///< something needs attention
+    ImU32 accent, second;  ///< the pinned pixel and its ray; the second pin's
+    ImU32 text, faint_text;
+    ImU32 canvas;   ///< behind everything
+    ImU32 line;     ///< of a grid, a frame
+    ImU32 a, b, c;  ///< the three side products and their edges
+    ImU32 box;      ///< a box of the engine's that the pinned ray meets
+};
+
+/// Sets Dear ImGui's style, for this size of text in pixels, and returns the colours that go with it.
+Palette apply_theme(const Appearance& appearance, float text_size);
+
+}  // namespace glassbox
