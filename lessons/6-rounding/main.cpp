@@ -78,9 +78,9 @@ int main(int argc, char** argv) {
         const auto ray = [&](int j, int i) {
             return Ray<double>{at(2 * j - size, 2 * i - size, distances[static_cast<std::size_t>(column)]), -forth};
         };
-        Reach reach;
+        RayBounds reach;
         for (const int j : {0, size - 1})
-            for (const int i : {0, size - 1}) reach = reaching(reach, ray(j, i));
+            for (const int i : {0, size - 1}) reach = including(reach, ray(j, i));
         std::array<double, 4> errors{};
         for (std::size_t k = 0; k < 4; ++k) errors[k] = filter::sides_error(triangles[k], reach);
 

@@ -14,7 +14,7 @@
 #include "bench/meshes.hpp"
 #include "bench/runs.hpp"
 #include "render/render.hpp"
-#include "render/search/ready.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/surfaces.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
@@ -29,7 +29,7 @@ void print_steps(int runs) {
     const Scene scene = read_scene(GLASSBOX_PAPERS_SCENE);
     const auto by_engine = [&](int threads) {
         Options options;
-        options.engine = Engine::fast;
+        options.engine = EngineChoice::fast;
         render(scene, options, {threads, {}, nullptr});
     };
     constexpr double rays = side * side;
@@ -75,7 +75,7 @@ void print_costs(const Scene& scene, int runs) {
     const auto walk = [&](const Ray<double>& ray, const auto& test) { return engine::walk(tree, ray, test, silent); };
     const double few = std::max(4.0, 4e6 / static_cast<double>(triangles.size())), many = 1 << 16;
     NearestHits hits(scene);
-    const Job one{1, {}, nullptr, ready(scene, 5)};
+    const Job one{1, {}, nullptr, build_engine(scene, 5)};
     const Speeds speeds =
         time_in_turn({{"plain", few, [&] { trace(few, plain); }},
                       {"walk", many, [&] { trace(many, walk); }},

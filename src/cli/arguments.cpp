@@ -131,7 +131,7 @@ Scene load(const Request& request) {
     shading.k_d = request.diffuse.value_or(shading.k_d);
     shading.k_s = request.specular.value_or(shading.k_s);
     shading.exponent = request.exponent.value_or(shading.exponent);
-    scene.light_position = request.light.value_or(scene.light_position);
+    scene.light_vector = request.light.value_or(scene.light_vector);
     scene.light_intensity = request.intensity.value_or(scene.light_intensity);
     return scene;
 }

@@ -16,8 +16,8 @@
 #include "engine/kernels.hpp"
 #include "engine/tile.hpp"
 #include "render/parallel.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/certified_search.hpp"
-#include "render/search/ready.hpp"
 #include "render/view.hpp"
 
 namespace glassbox {
@@ -73,7 +73,7 @@ void bench_against_embree(int runs, const std::stop_token& stop) {
         const auto triangles = static_cast<double>(scene.meshes.front()->faces.size());
         fmt::print("\n{} of {} triangles, {} x {} pixels\n", name, triangles, scene.width, scene.height);
         const auto start = std::chrono::steady_clock::now();
-        const auto engine = ready(scene, 5);
+        const auto engine = build_engine(scene, 5);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const EmbreeScene robust(scene, true), fast(scene, false);
         fmt::print("  ready in {:.3g} s, {:.3g} bytes a triangle; Embree {:.3g} s, {:.3g} (robust), {:.3g} s, {:.3g}\n",

@@ -44,13 +44,13 @@ Workspace workspace_for(const LearnRequest& request) {
 }
 
 /// A subcommand of `learn` as it runs.
-struct Lesson {
+struct LearnRun {
     const LearnRequest& request;
     std::stop_token stop;
     Learner learner;
     Paint paint;
 
-    Lesson(const LearnRequest& asked, std::stop_token token)
+    LearnRun(const LearnRequest& asked, std::stop_token token)
         : request(asked),
           stop(std::move(token)),
           learner(
@@ -74,12 +74,12 @@ void print(const std::string& text) {
 [[noreturn]] void end_with(int status) { throw CLI::RuntimeError(status); }
 
 /// Tests a lesson and says how it went; whether all is well.
-bool test(Lesson& lesson, const Exercise& exercise) {
+bool test(LearnRun& lesson, const Exercise& exercise) {
     const bool begins = make_starters(lesson.learner.workspace(), exercise);
     if (begins)
         print(fmt::format("Your headers of lesson {} are now in {}: the starters, to be completed.\n\n",
                           exercise.number, shown(lesson.learner.workspace().headers_of(exercise))));
-    const Tested tested = lesson.learner.test(
+    const TestedLesson tested = lesson.learner.test(
         exercise, lesson.stop, [&](const TestRun& so_far) { print(so_far_text(exercise, so_far, lesson.paint)); });
     if (tested.run.stopped) throw Cancelled{};
     print(tested_text(lesson.learner, exercise, tested, lesson.paint));
@@ -87,7 +87,7 @@ bool test(Lesson& lesson, const Exercise& exercise) {
 }
 
 /// Tests the lesson after each change, until it is interrupted.
-void watch(Lesson& lesson) {
+void watch(LearnRun& lesson) {
     const std::string asked = lesson.request.lesson;
     while (!lesson.stop.stop_requested()) {
         const Exercise& exercise = lesson.learner.lesson(asked);
@@ -105,16 +105,16 @@ void watch(Lesson& lesson) {
         print(lesson.paint.faint(fmt::format("\nWatching {}; save a file to test again, Ctrl-C to end.\n",
                                              shown(lesson.learner.workspace().headers_of(exercise)))));
         if (!headers.wait(lesson.stop)) break;
-        print(Lesson::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // the scrollback stays
+        print(LearnRun::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // the scrollback stays
     }
 }
 
-void status(Lesson& lesson) {
+void status(LearnRun& lesson) {
     make_starters(lesson.learner.workspace(), lesson.exercise());  // so that there is something to open
     print(status_text(lesson.learner, lesson.paint));
 }
 
-void hint(Lesson& lesson) {
+void hint(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     make_starters(lesson.learner.workspace(), exercise);
     const Function* function = lesson.learner.next_function(exercise, lesson.stop);
@@ -124,7 +124,7 @@ void hint(Lesson& lesson) {
 }
 
 /// Puts the starters back, of one lesson, which must be named: what is written there is set aside.
-void begin_anew(Lesson& lesson) {
+void begin_anew(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     const Workspace& workspace = lesson.learner.workspace();
     if (make_starters(workspace, exercise))
@@ -142,7 +142,7 @@ bool agrees(const std::string& question) {
     return answer == "y" || answer == "Y" || answer == "yes";
 }
 
-void solution(Lesson& lesson) {
+void solution(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     if (!lesson.learner.progress(exercise).passed) {
         if (!agrees(fmt::format("Lesson {} has not passed yet. Give up, and see the solution?", exercise.number))) {
@@ -170,7 +170,7 @@ const Mistake& mistake_called(const std::vector<Mistake>& mistakes, const std::s
 }
 
 /// The folder with a lesson's headers to make a picture of: the learner's, the solution, or that with a mistake.
-fs::path headers_for_picture(Lesson& lesson, const Exercise& exercise) {
+fs::path headers_for_picture(LearnRun& lesson, const Exercise& exercise) {
     const Workspace& workspace = lesson.learner.workspace();
     if (lesson.request.solution) return workspace.solutions_of(exercise);
     if (lesson.request.mistake.empty()) {
@@ -185,7 +185,7 @@ fs::path headers_for_picture(Lesson& lesson, const Exercise& exercise) {
     return folder;
 }
 
-void picture(Lesson& lesson) {
+void picture(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     check_picture_file(lesson.request.picture);
     const fs::path headers = headers_for_picture(lesson, exercise);
@@ -205,7 +205,7 @@ void picture(Lesson& lesson) {
 }
 
 /// Writes down what each mistake of a lesson leaves behind: for whoever writes lessons.
-void record(Lesson& lesson, const Exercise& exercise) {
+void record(LearnRun& lesson, const Exercise& exercise) {
     int unnoticed = 0;
     const auto done = [&](const Mistake& mistake, const TestRun& run) {
         const std::size_t traces = traces_of(mistake.name, run).size();
@@ -223,7 +223,7 @@ void record(Lesson& lesson, const Exercise& exercise) {
     if (unnoticed > 0) end_with(1);
 }
 
-void mistake(Lesson& lesson) {
+void mistake(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     const Workspace& workspace = lesson.learner.workspace();
     if (lesson.request.record) return record(lesson, exercise);
@@ -274,14 +274,14 @@ void report(const LearnRequest& request, const std::stop_token& stop) {
     if (learners.size() < all.size()) end_with(1);
 }
 
-using Run = std::function<void(Lesson&)>;
+using Run = std::function<void(LearnRun&)>;
 
 /// Gives `learn` a subcommand.
 CLI::App* add(CLI::App& learn, Session& session, const std::shared_ptr<LearnRequest>& request, const char* name,
               const char* help, Run run) {
     CLI::App* command = learn.add_subcommand(name, help);
     command->callback([request, &session, run = std::move(run)] {
-        Lesson lesson(*request, session.interrupt.token());
+        LearnRun lesson(*request, session.interrupt.token());
         run(lesson);
     });
     return command;
@@ -304,7 +304,7 @@ void add_learn(CLI::App& program, Session& session) {
     learn->require_subcommand(0, 1);
 
     add(*learn, session, request, "status", "Show the lessons, how far you are, and what to do next", status);
-    CLI::App* test_command = add(*learn, session, request, "test", "Test what you have written", [](Lesson& lesson) {
+    CLI::App* test_command = add(*learn, session, request, "test", "Test what you have written", [](LearnRun& lesson) {
         if (!test(lesson, lesson.exercise())) end_with(1);
     });
     add_lesson(test_command, request);
@@ -353,9 +353,9 @@ void add_learn(CLI::App& program, Session& session) {
     learn->footer("Example: glassbox learn test 1. Without a command: status, and on a terminal watch.");
     learn->callback([request, &session, learn] {
         if (!learn->get_subcommands().empty()) return;
-        Lesson lesson(*request, session.interrupt.token());
+        LearnRun lesson(*request, session.interrupt.token());
         status(lesson);
-        if (!Lesson::is_terminal()) return;
+        if (!LearnRun::is_terminal()) return;
         print("\n");
         watch(lesson);
     });

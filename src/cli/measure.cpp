@@ -44,7 +44,7 @@ std::string list() {
 std::vector<std::string> without_value(const std::vector<Measured>& all) {
     std::vector<std::string> names;
     for (const Measured& measured : all)
-        if (const std::string& why = measured.planes.front().why_no_value; !why.empty())
+        if (const std::string& why = measured.channels.front().why_no_value; !why.empty())
             names.push_back(fmt::format("{} ({})", measured.what->name, why));
     return names;
 }
@@ -53,13 +53,13 @@ void run(const CLI::App& command, const MeasureRequest& request, Session& sessio
     check_measurements_file(request.out);
     const Scene scene = load(request);
     note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
-    std::vector<std::vector<Plane>> planes = [&] {
+    std::vector<std::vector<Channel>> channels = [&] {
         Progress progress("measuring", std::int64_t{scene.width} * scene.height);
         return measure(scene, request.options, request.wanted,
                        {request.threads, session.interrupt.token(), &progress.done()});
     }();
     std::vector<Measured> measured;
-    for (std::size_t i = 0; i < planes.size(); ++i) measured.push_back({request.wanted[i], planes[i]});
+    for (std::size_t i = 0; i < channels.size(); ++i) measured.push_back({request.wanted[i], channels[i]});
     note(command, "no value at any pixel", without_value(measured));
     write_measurements(request.out, measured, session.interrupt.token());
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/tell.hpp"
-#include "render/search/ready.hpp"
+#include "render/search/build_engine.hpp"
 
 namespace glassbox {
 
@@ -41,7 +41,7 @@ std::vector<std::string> unused_options(const CLI::App& command, Rays rays, cons
             unused.push_back(fmt::format("{} (only for pictures)", option));
         else if (options.stage < first_stage) unused.push_back(fmt::format("{} (from stage {})", option, first_stage));
     }
-    if (options.engine == Engine::fast && !engine_can(options))
+    if (options.engine == EngineChoice::fast && !engine_can(options))
         unused.push_back("--engine fast (only for certified answers, not by the rules tolerance and levental-2014)");
     return unused;
 }

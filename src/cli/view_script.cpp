@@ -118,7 +118,7 @@ constexpr Settable settables[] = {
      }},
     {"light",
      [](Name name, Name typed) {
-         return change_setup([position = direction(name, typed)](Setup& s) { s.light_position = position; });
+         return change_setup([position = direction(name, typed)](Setup& s) { s.light_vector = position; });
      }},
     {"intensity",
      [](Name name, Name typed) {

@@ -4,8 +4,8 @@
 
 #include "explain/hit_story.hpp"
 #include "explain/surface_story.hpp"
-#include "explain/verdict.hpp"
-#include "render/search/ready.hpp"
+#include "explain/traced_pixel.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/surfaces.hpp"
 
 namespace glassbox {
@@ -19,10 +19,10 @@ bool is_on_border(const Scene& scene, int x, int y) {
     return scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
 }
 
-void tell_surfaces(Story& story, const Scene& scene, const engine::Engine& surfaces, const Verdict& verdict,
+void tell_surfaces(Story& story, const Scene& scene, const engine::Engine& surfaces, const TracedPixel& pixel,
                    const std::vector<Rgb>& colors) {
-    for (const std::size_t number : worth_telling(surfaces, verdict, most_surfaces)) {
-        story::Surface surface = surface_story(surfaces, story.options, verdict, number);
+    for (const std::size_t number : worth_telling(surfaces, pixel, most_surfaces)) {
+        story::Surface surface = surface_story(surfaces, story.options, pixel, number);
         surface.kind = kind_of(scene, number);
         surface.color = colors[number];
         story.surfaces.push_back(std::move(surface));
@@ -38,9 +38,9 @@ story::Kind kind_of(const Scene& scene, std::size_t number) {
 }
 
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail, Job job) {
-    if (!job.engine) job.engine = ready(scene, options.stage, job.threads);
+    if (!job.engine) job.engine = build_engine(scene, options.stage, job.threads);
     const engine::Engine& surfaces = *job.engine;
-    const Verdict said = verdict(scene, options, x, y, job);
+    const TracedPixel said = traced_pixel(scene, options, x, y, job);
     const std::vector<Rgb> colors = surface_colors(scene);
 
     Story story;

@@ -5,9 +5,9 @@
 
 #include <ray_color.hpp>
 
-#include "explain/heard.hpp"
 #include "explain/inputs.hpp"
 #include "explain/loss.hpp"
+#include "explain/naming_probe.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/told_steps.hpp"
 #include "render/lighting.hpp"
@@ -54,14 +54,14 @@ struct RecordedHit {
 };
 
 template <class Real, class Shape, class Rule>
-auto record_hit(Tape& tape, Heard<Real>& heard, const Verdict& verdict, const Options& options, const Shape& shape,
-                const Rule& rule) {
-    const Ray<Recorded<Real>> ray = input<Real>(tape, verdict.ray);
+auto record_hit(Tape& tape, NamingProbe<Real>& heard, const TracedPixel& pixel, const Options& options,
+                const Shape& shape, const Rule& rule) {
+    const Ray<Recorded<Real>> ray = input<Real>(tape, pixel.ray);
     const auto recorded = input<Real>(tape, shape);
     const Crossing<Recorded<Real>> crossing = intersect(ray, recorded, Chosen{rule}, heard);
     const std::size_t test_steps = tape.steps().size();
-    const bool by_exact = is_proven(options.scalar) && static_cast<double>(crossing.t.value()) != verdict.nearest->t;
-    const Recorded<Real> t = by_exact ? Recorded<Real>::input(tape, verdict.nearest->t, "t") : crossing.t;
+    const bool by_exact = is_proven(options.scalar) && static_cast<double>(crossing.t.value()) != pixel.nearest->t;
+    const Recorded<Real> t = by_exact ? Recorded<Real>::input(tape, pixel.nearest->t, "t") : crossing.t;
     name(t, "t");
     return RecordedHit<Real, std::remove_const_t<decltype(recorded)>>{ray, recorded, t, by_exact, test_steps};
 }
@@ -95,8 +95,8 @@ struct RecordedShade {
 };
 
 template <class Real>
-RecordedShade<Real> record_shade(Tape& tape, Heard<Real>& heard, const Scene& scene, const Ray<Recorded<Real>>& ray,
-                                 const Vec3<Recorded<Real>>& n, Rgb own_color) {
+RecordedShade<Real> record_shade(Tape& tape, NamingProbe<Real>& heard, const Scene& scene,
+                                 const Ray<Recorded<Real>>& ray, const Vec3<Recorded<Real>>& n, Rgb own_color) {
     const Lighting lit = lighting<Real>(scene);
     const Light<Recorded<Real>> light =
         directional_light(glassbox::input<Real>(tape, lit.L, "L"), Recorded<Real>::input(tape, lit.I, "I"));
@@ -115,7 +115,7 @@ RecordedShade<Real> record_shade(Tape& tape, Heard<Real>& heard, const Scene& sc
 }
 
 template <class Real>
-Shade shade_story(const Scene& scene, const Lookup& look, const Heard<Real>& heard, const RecordedShade<Real>& s,
+Shade shade_story(const Scene& scene, const Lookup& look, const NamingProbe<Real>& heard, const RecordedShade<Real>& s,
                   Rgb own) {
     const Shading<double>& shading = scene.shading;
     const auto term = [&](double k, const Recorded<Real>& factor, const Vec3<double>& color,
@@ -149,11 +149,11 @@ void find_worst(FirstHit& hit) {
 }
 
 template <class Real, class Shape, class Rule>
-ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verdict, Rgb own, Detail detail,
+ToldHit told_hit(const Scene& scene, const Options& options, const TracedPixel& pixel, Rgb own, Detail detail,
                  const Shape& shape, const Rule& rule) {
     Tape tape(Precision::of<Real>());
-    Heard<Real> heard;
-    const auto at_hit = record_hit(tape, heard, verdict, options, shape, rule);
+    NamingProbe<Real> heard;
+    const auto at_hit = record_hit(tape, heard, pixel, options, shape, rule);
     const Vec3<Recorded<Real>> point = at(at_hit.ray, at_hit.t);
     name(point, "point");
     const Vec3<Recorded<Real>> n = normal_of(at_hit);
@@ -163,12 +163,12 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
 
     const Lookup look(tape, detail);
     FirstHit hit;
-    hit.surface = verdict.nearest->surface;
+    hit.surface = pixel.nearest->surface;
     hit.t = look(at_hit.t);
     hit.t_by_exact = at_hit.t_by_exact;
     if (hit.t_by_exact && detail == Detail::whole)
-        if (const std::optional<TrueT> truth = exact_crossing(verdict.ray, shape, rule))
-            hit.t = checked(verdict.nearest->t, truth->exact());
+        if (const std::optional<TrueT> truth = exact_crossing(pixel.ray, shape, rule))
+            hit.t = checked(pixel.nearest->t, truth->exact());
     hit.point = look(point);
     hit.normal = look(n);
     if (shade) hit.shade = shade_story(scene, look, heard, *shade, own);
@@ -180,12 +180,12 @@ ToldHit told_hit(const Scene& scene, const Options& options, const Verdict& verd
 
 }  // namespace
 
-ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
+ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
                   Rgb own_color, Detail detail) {
-    return surfaces.with_surface(verdict.nearest->surface, [&]<class Shape>(const Shape& shape) {
+    return surfaces.with_surface(pixel.nearest->surface, [&]<class Shape>(const Shape& shape) {
         return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
             const auto tell = [&](const auto& rule) {
-                return told_hit<Real>(scene, options, verdict, own_color, detail, shape, rule);
+                return told_hit<Real>(scene, options, pixel, own_color, detail, shape, rule);
             };
             if constexpr (std::is_same_v<Shape, Sphere<double>>) return tell(options.sphere_rule);
             else return tell(options.triangle_rule);
@@ -193,10 +193,10 @@ ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Opti
     });
 }
 
-ToldRay ray_story(const Verdict& verdict, Scalar scalar, int column, int row, Detail detail) {
+ToldRay ray_story(const TracedPixel& pixel, Scalar scalar, int column, int row, Detail detail) {
     return with_scalar_of_steps(scalar, [&]<class Real>(std::type_identity<Real>) -> ToldRay {
         Tape tape(Precision::of<Real>());
-        const Vec3<Recorded<Real>> color = ray_color(input<Real>(tape, verdict.ray), column, row);
+        const Vec3<Recorded<Real>> color = ray_color(input<Real>(tape, pixel.ray), column, row);
         name(color, "colour");
         const Rgb bytes = rounded(color);
         const Lookup look(tape, detail);

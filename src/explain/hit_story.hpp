@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/engine.hpp"
 #include "explain/explain.hpp"
-#include "explain/verdict.hpp"
+#include "explain/traced_pixel.hpp"
 
 namespace glassbox {
 
@@ -11,8 +11,8 @@ struct ToldHit {
     Rgb color;
 };
 
-/// `verdict` must have a nearest surface.
-ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
+/// `pixel` must have a nearest surface.
+ToldHit hit_story(const Scene& scene, const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
                   Rgb own_color, Detail detail);
 
 /// Stage 1: the ray's direction as a colour, by `ray_color`.
@@ -21,6 +21,6 @@ struct ToldRay {
     Rgb rounded;
     std::vector<story::StoryStep> steps;
 };
-ToldRay ray_story(const Verdict& verdict, Scalar scalar, int column, int row, Detail detail);
+ToldRay ray_story(const TracedPixel& pixel, Scalar scalar, int column, int row, Detail detail);
 
 }  // namespace glassbox

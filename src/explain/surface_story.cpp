@@ -5,8 +5,8 @@
 #include <queue>
 #include <utility>
 
-#include "explain/heard.hpp"
 #include "explain/inputs.hpp"
+#include "explain/naming_probe.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/told_steps.hpp"
 #include "render/search/exact_crossing.hpp"
@@ -53,25 +53,27 @@ double miss(const Ray<double>& ray, const Triangle<double>& triangle) {
 }
 
 /// Where the ray meets that surface; null if it does not.
-const Hit<long double>* met(const Verdict& verdict, std::size_t number) {
-    const auto hit = std::ranges::lower_bound(verdict.met, number, {}, &Hit<long double>::surface);
-    return hit != verdict.met.end() && hit->surface == number ? &*hit : nullptr;
+const Hit<long double>* met(const TracedPixel& pixel, std::size_t number) {
+    const auto hit = std::ranges::lower_bound(pixel.met, number, {}, &Hit<long double>::surface);
+    return hit != pixel.met.end() && hit->surface == number ? &*hit : nullptr;
 }
 
 /// A surface tested by a rule, each operation of it on tape.
 template <class Real>
-struct Tested {
+struct RecordedTest {
     Tape tape{Precision::of<Real>()};
-    Heard<Real> heard;
+    NamingProbe<Real> heard;
     Crossing<Recorded<Real>> crossing;
     std::vector<Checked> checked;
 
-    Tested(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) { record(ray, sphere, rule); }
-    Tested(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule) {
+    RecordedTest(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
+        record(ray, sphere, rule);
+    }
+    RecordedTest(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule) {
         record(ray, triangle, rule);
     }
-    Tested(const Tested&) = delete;  // the numbers know their tape by its address
-    Tested& operator=(const Tested&) = delete;
+    RecordedTest(const RecordedTest&) = delete;  // the numbers know their tape by its address
+    RecordedTest& operator=(const RecordedTest&) = delete;
 
     template <class Surface, class Rule>
     void record(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
@@ -89,7 +91,7 @@ struct Tested {
 
 template <class Real>
 RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
-    Tested<Real> tested(ray, sphere, rule);
+    RecordedTest<Real> tested(ray, sphere, rule);
     tested.replay();
     return {tested(*tested.heard.discriminant), tested(tested.heard.t0), tested(tested.heard.t1)};
 }
@@ -103,8 +105,8 @@ template <class Real>
 TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, const Options& options) {
     const auto* chosen = std::get_if<Tolerance>(&options.triangle_rule);
     const Tolerance rule = chosen ? *chosen : Tolerance{};
-    Tested<Real> tested(ray, triangle, rule);
-    const Heard<Real>& heard = tested.heard;
+    RecordedTest<Real> tested(ray, triangle, rule);
+    const NamingProbe<Real>& heard = tested.heard;
     std::array<Recorded<Real>, 3> weights;
     const bool has_sum = heard.sum->value() != 0;
     if (has_sum) weights = {*heard.a / *heard.sum, *heard.b / *heard.sum, *heard.c / *heard.sum};
@@ -168,23 +170,23 @@ Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Opti
 
 template <class Real, class Shape, class Rule>
 Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, const Options& options,
-                const Verdict& verdict, std::size_t number) {
+                const TracedPixel& pixel, std::size_t number) {
     Surface result;
     result.number = number;
     const auto test = test_of<Real>(ray, shape, options);
     result.test = test;
-    Tested<Real> tested(ray, shape, rule);
+    RecordedTest<Real> tested(ray, shape, rule);
     name(tested.crossing.t, "t");
     tested.replay();
     if (tested.crossing.t.tape()) result.t = tested(tested.crossing.t);  // if the rule came to that
     result.steps = told_steps(tested.tape, tested.checked);
-    const Hit<long double>* const hit = met(verdict, number);
+    const Hit<long double>* const hit = met(pixel, number);
     if (!hit) {
         result.fate = why_missed(test, result.t, options);
         if (result.fate != Fate::behind && result.fate != Fate::from_inside) result.t.reset();
         return result;
     }
-    result.fate = verdict.nearest && verdict.nearest->surface == number ? Fate::nearest : Fate::farther;
+    result.fate = pixel.nearest && pixel.nearest->surface == number ? Fate::nearest : Fate::farther;
     const auto t = static_cast<double>(hit->t);
     if (!result.t || result.t->value != t) {
         const std::optional<TrueT> truth = exact_crossing(ray, shape, rule);
@@ -204,12 +206,12 @@ auto with_rule(const engine::Engine& surfaces, std::size_t number, const Options
 }
 
 /// Whether two surfaces are met at the same t: truly, where the renderer proves it, else as far as its scalar tells.
-bool are_as_near(const engine::Engine& surfaces, const Options& options, const Verdict& verdict, std::size_t one,
+bool are_as_near(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel, std::size_t one,
                  std::size_t other) {
-    if (!is_proven(options.scalar)) return met(verdict, one)->t == met(verdict, other)->t;
+    if (!is_proven(options.scalar)) return met(pixel, one)->t == met(pixel, other)->t;
     const auto truth = [&](std::size_t number) {
         return with_rule(surfaces, number, options,
-                         [&](const auto& shape, const auto& rule) { return exact_crossing(verdict.ray, shape, rule); });
+                         [&](const auto& shape, const auto& rule) { return exact_crossing(pixel.ray, shape, rule); });
     };
     const std::optional<TrueT> t = truth(one), other_t = truth(other);
     return t && other_t && compare(*t, *other_t) == 0;
@@ -217,15 +219,15 @@ bool are_as_near(const engine::Engine& surfaces, const Options& options, const V
 
 }  // namespace
 
-std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const Verdict& verdict, std::size_t most) {
+std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel, std::size_t most) {
     std::vector<std::size_t> chosen;
-    for (const auto& hit : verdict.met) chosen.push_back(hit.surface);
+    for (const auto& hit : pixel.met) chosen.push_back(hit.surface);
     if (chosen.size() < most) {
         // The nearest misses so far, the farthest of them on top.
         std::priority_queue<std::pair<double, std::size_t>> missed;
         surfaces.for_each_surface([&](std::size_t number, const auto& surface) {
-            if (met(verdict, number)) return;
-            const std::pair by{surfaces.size() <= most ? 0 : miss(verdict.ray, surface), number};
+            if (met(pixel, number)) return;
+            const std::pair by{surfaces.size() <= most ? 0 : miss(pixel.ray, surface), number};
             if (missed.size() == most - chosen.size()) {
                 if (missed.top() < by) return;
                 missed.pop();
@@ -238,16 +240,16 @@ std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const Ver
     return chosen;
 }
 
-Surface surface_story(const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
+Surface surface_story(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
                       std::size_t number) {
     Surface result = with_rule(surfaces, number, options, [&](const auto& shape, const auto& rule) {
         return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
-            return tell_of<Real>(verdict.ray, shape, rule, options, verdict, number);
+            return tell_of<Real>(pixel.ray, shape, rule, options, pixel, number);
         });
     });
-    if (result.fate == Fate::farther && are_as_near(surfaces, options, verdict, number, verdict.nearest->surface))
+    if (result.fate == Fate::farther && are_as_near(surfaces, options, pixel, number, pixel.nearest->surface))
         result.fate = Fate::as_near;
-    const auto& exact = verdict.needed_exact;
+    const auto& exact = pixel.needed_exact;
     result.needed_exact = std::find(exact.begin(), exact.end(), number) != exact.end();
     return result;
 }

@@ -4,16 +4,16 @@
 
 #include "engine/engine.hpp"
 #include "explain/story.hpp"
-#include "explain/verdict.hpp"
+#include "explain/traced_pixel.hpp"
 
 namespace glassbox {
 
 /// The numbers of the surfaces to tell of: those met, and then those that the ray misses by the least, at most `most`
 /// in all; in the order of their numbers.
-std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const Verdict& verdict, std::size_t most);
+std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel, std::size_t most);
 
 /// What became of one surface. Its kind and colour are left to fill in.
-story::Surface surface_story(const engine::Engine& surfaces, const Options& options, const Verdict& verdict,
+story::Surface surface_story(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
                              std::size_t number);
 
 }  // namespace glassbox

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The scene of the case that is shown, or else of the first that fails and has one.
-std::optional<FailingScene> scene_to_look_at(const Tested& tested) {
+std::optional<FailingScene> scene_to_look_at(const TestedLesson& tested) {
     std::vector<const CaseResult*> failed{tested.judgement.shown};
     for (const CaseResult& one : tested.run.cases) failed.push_back(&one);
     for (const CaseResult* one : failed) {
@@ -69,8 +69,8 @@ bool Learner::is_tested(const Exercise& exercise) {
     return remembered(exercise).tested == fingerprint_of(workspace_, exercise);
 }
 
-Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
-                     std::function<void(const TestRun&)> so_far) {
+TestedLesson Learner::test(const Exercise& exercise, const std::stop_token& stop,
+                           std::function<void(const TestRun&)> so_far) {
     make_starters(workspace_, exercise);
     for (const std::string& header : exercise.headers)
         read_header(workspace_, exercise, header);  // complains if it must
@@ -80,7 +80,7 @@ Tested Learner::test(const Exercise& exercise, const std::stop_token& stop,
     request.so_far = std::move(so_far);
     const std::string tested_as = fingerprint_of(workspace_, exercise);
 
-    Tested tested;
+    TestedLesson tested;
     tested.run = run_tests(workspace_, exercise, tools(), request, stop);
     if (tested.run.error && !is_there(*tools_)) {  // taken away in the middle of it
         make_folder(request.folder);

@@ -14,17 +14,17 @@
 namespace glassbox::learn {
 
 /// What came of one test of a lesson.
-struct Tested {
+struct TestedLesson {
     TestRun run;
     Judgement judgement;                       ///< points into `run` and the exercise
     Recognised recognised;                     ///< the classic mistake that it looks like
     std::optional<std::pair<int, int>> pixel;  ///< of the failing scene, if one was written
     std::chrono::duration<double> took{};
 
-    Tested() = default;
-    Tested(const Tested&) = delete;
-    Tested(Tested&&) = default;
-    Tested& operator=(Tested&&) = default;
+    TestedLesson() = default;
+    TestedLesson(const TestedLesson&) = delete;
+    TestedLesson(TestedLesson&&) = default;
+    TestedLesson& operator=(TestedLesson&&) = default;
 };
 
 /// A learner at work: where, and how far. What is remembered is written down at once.
@@ -46,8 +46,8 @@ public:
 
     /// Tests a lesson; its starters are made if they are not there. `so_far` is told what can be said already, if the
     /// rest takes longer. Throws Error.
-    Tested test(const Exercise& exercise, const std::stop_token& stop = {},
-                std::function<void(const TestRun&)> so_far = {});
+    TestedLesson test(const Exercise& exercise, const std::stop_token& stop = {},
+                      std::function<void(const TestRun&)> so_far = {});
 
     /// The function that a hint would be for: open_function() of the headers as they are now; null if all have passed.
     const Function* next_function(const Exercise& exercise, const std::stop_token& stop = {});

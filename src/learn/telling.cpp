@@ -118,7 +118,7 @@ std::string bar(std::size_t done, std::size_t all, const Paint& paint) {
     return paint.good(filled) + paint.faint(empty);
 }
 
-std::string passed_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint) {
+std::string passed_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
     const Workspace& workspace = learner.workspace();
     std::string text =
         fmt::format("{} {}\n\n", paint.good("✓"),
@@ -246,7 +246,7 @@ std::string so_far_text(const Exercise& exercise, const TestRun& run, const Pain
                                    fmt::join(run.scalars, " and "), plural(run.cases.size(), "test"), exercise.number));
 }
 
-std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint) {
+std::string tested_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
     const Workspace& workspace = learner.workspace();
     const TestRun& run = tested.run;
     std::string text =

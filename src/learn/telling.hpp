@@ -33,7 +33,7 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
 std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint);
 
 /// What came of a test, and of what is wrong one thing only.
-std::string tested_text(Learner& learner, const Exercise& exercise, const Tested& tested, const Paint& paint);
+std::string tested_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint);
 
 /// How far what a test got is from what it expected, in ulps, where that tells of rounding; "" where another number
 /// came out: one of another sign, or a million ulps and more away.

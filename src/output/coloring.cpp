@@ -6,9 +6,9 @@
 
 namespace glassbox {
 
-Summary summarized(const Plane& plane) {
+Summary summarized(const Channel& channel) {
     Summary all;
-    for (const double v : plane.values) {
+    for (const double v : channel.values) {
         if (std::isnan(v)) ++all.missing;
         else if (std::isinf(v)) ++(v > 0 ? all.positive_infinite : all.negative_infinite);
         else {
@@ -54,10 +54,10 @@ Coloring coloring_of(const Measurement& what, const Summary& summary, const SetR
     return {diverging ? diverging_colors() : sequential_colors(), low, high, blocks, set};
 }
 
-Outside outside(const Plane& plane, const Coloring& coloring) {
+Outside outside(const Channel& channel, const Coloring& coloring) {
     const auto [low, high] = coloring.limits();
     Outside counts;
-    for (const double value : plane.values) {
+    for (const double value : channel.values) {
         if (!std::isfinite(value)) continue;
         counts.below += value < low;
         counts.above += value > high;
@@ -66,19 +66,19 @@ Outside outside(const Plane& plane, const Coloring& coloring) {
 }
 
 bool is_direction(const Measured& measured) {
-    return measured.what->scale == Scale::direction && measured.planes.size() == 3;
+    return measured.what->scale == Scale::direction && measured.channels.size() == 3;
 }
 
 namespace {
 
 /// White with black beside it, to be seen on any colour: the values from `level` on that have a lower one next to them.
-void draw_contour(Image& image, const Plane& plane, double level) {
+void draw_contour(Image& image, const Channel& channel, double level) {
     const auto above = [&](int x, int y) {
-        return plane.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width) +
-                            static_cast<std::size_t>(x)] >= level;
+        return channel.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(channel.width) +
+                              static_cast<std::size_t>(x)] >= level;
     };
-    for (int y = 0; y + 1 < plane.height; ++y)
-        for (int x = 0; x + 1 < plane.width; ++x) {
+    for (int y = 0; y + 1 < channel.height; ++y)
+        for (int x = 0; x + 1 < channel.width; ++x) {
             if (above(x, y) == above(x + 1, y) && above(x, y) == above(x, y + 1)) continue;
             image.at(x, y) = {255, 255, 255};
             image.at(x + 1, y + 1) = {0, 0, 0};
@@ -88,11 +88,11 @@ void draw_contour(Image& image, const Plane& plane, double level) {
 }  // namespace
 
 Image colored(const Measured& measured, const SetRange& set) {
-    const Plane& first = measured.planes.front();
+    const Channel& first = measured.channels.front();
     Image image(first.width, first.height, no_value_color);
     if (is_direction(measured)) {
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-            const double x = first.values[i], y = measured.planes[1].values[i], z = measured.planes[2].values[i];
+            const double x = first.values[i], y = measured.channels[1].values[i], z = measured.channels[2].values[i];
             if (!std::isnan(x) && !std::isnan(y) && !std::isnan(z)) image.pixels[i] = direction_color(x, y, z);
         }
     } else {

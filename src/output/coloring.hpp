@@ -10,7 +10,7 @@
 
 namespace glassbox {
 
-/// What a legend says about a plane's values. NaN counts as missing.
+/// What a legend says about a channel's values. NaN counts as missing.
 struct Summary {
     std::int64_t missing = 0, negative_infinite = 0, positive_infinite = 0;
     double least = std::numeric_limits<double>::infinity();      // of the finite values
@@ -20,7 +20,7 @@ struct Summary {
     bool any_finite() const { return least <= greatest; }
 };
 
-Summary summarized(const Plane& plane);
+Summary summarized(const Channel& channel);
 
 /// The range of a measurement's colours that somebody set.
 using SetRange = std::optional<std::pair<double, double>>;
@@ -54,12 +54,12 @@ struct Outside {
     std::int64_t below = 0, above = 0;
 };
 
-Outside outside(const Plane& plane, const Coloring& coloring);
+Outside outside(const Channel& channel, const Coloring& coloring);
 
 /// Whether it has three components that are shown as red, green and blue.
 bool is_direction(const Measured& measured);
 
-/// The planes as colours, a pixel a value, without a legend: what the viewer lays over the picture.
+/// The channels as colours, a pixel a value, without a legend: what the viewer lays over the picture.
 Image colored(const Measured& measured, const SetRange& set = {});
 
 }  // namespace glassbox

@@ -14,13 +14,13 @@
 namespace glassbox {
 namespace {
 
-EXRChannelInfo channel_of(const Plane& plane) {
-    EXRChannelInfo channel{};
-    if (plane.name.size() >= sizeof channel.name)
+EXRChannelInfo info_of(const Channel& channel) {
+    EXRChannelInfo info{};
+    if (channel.name.size() >= sizeof info.name)
         throw Error(fmt::format("error: a channel's name in EXR has at most {} characters; {} has more",
-                                sizeof channel.name - 1, plane.name));
-    std::copy(plane.name.begin(), plane.name.end(), channel.name);
-    return channel;
+                                sizeof info.name - 1, channel.name));
+    std::copy(channel.name.begin(), channel.name.end(), info.name);
+    return info;
 }
 
 std::vector<float> to_floats(const std::vector<double>& values) {
@@ -32,32 +32,32 @@ std::vector<float> to_floats(const std::vector<double>& values) {
 }  // namespace
 
 std::vector<std::byte> exr(std::span<const Measured> measured) {
-    std::vector<const Plane*> planes = all_planes(measured);
-    if (planes.empty() || planes.front()->width <= 0 || planes.front()->height <= 0)
+    std::vector<const Channel*> channels = all_channels(measured);
+    if (channels.empty() || channels.front()->width <= 0 || channels.front()->height <= 0)
         throw Error("error: an EXR picture has at least one channel and one pixel; this one has none");
-    const int width = planes.front()->width;
-    const int height = planes.front()->height;
+    const int width = channels.front()->width;
+    const int height = channels.front()->height;
 
-    for (const Plane* plane : planes)
-        if (plane->width != width || plane->height != height)
-            throw std::invalid_argument("planes of different sizes do not fit in one EXR picture");
+    for (const Channel* channel : channels)
+        if (channel->width != width || channel->height != height)
+            throw std::invalid_argument("channels of different sizes do not fit in one EXR picture");
     // By name: readers rely on it.
-    std::sort(planes.begin(), planes.end(), [](const Plane* a, const Plane* b) { return a->name < b->name; });
+    std::sort(channels.begin(), channels.end(), [](const Channel* a, const Channel* b) { return a->name < b->name; });
 
-    std::vector<EXRChannelInfo> channels;
+    std::vector<EXRChannelInfo> infos;
     std::vector<std::vector<float>> floats;
-    for (const Plane* plane : planes) {
-        channels.push_back(channel_of(*plane));
-        floats.push_back(to_floats(plane->values));
+    for (const Channel* channel : channels) {
+        infos.push_back(info_of(*channel));
+        floats.push_back(to_floats(channel->values));
     }
     std::vector<unsigned char*> pixels;
     for (std::vector<float>& channel : floats) pixels.push_back(reinterpret_cast<unsigned char*>(channel.data()));
-    std::vector<int> types(channels.size(), TINYEXR_PIXELTYPE_FLOAT);
+    std::vector<int> types(infos.size(), TINYEXR_PIXELTYPE_FLOAT);
 
     EXRHeader header;
     InitEXRHeader(&header);
-    header.num_channels = static_cast<int>(channels.size());
-    header.channels = channels.data();
+    header.num_channels = static_cast<int>(infos.size());
+    header.channels = infos.data();
     header.pixel_types = types.data();
     header.requested_pixel_types = types.data();
     header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;

@@ -28,23 +28,23 @@ struct Panel {
     Image title, picture, legend;
 };
 
-/// How large a plane of that size is drawn: small ones in whole multiples, so that a pixel stays a square.
-int enlargement(const Plane& plane) {
-    const int longer = std::max({plane.width, plane.height, 1});
+/// How large a channel of that size is drawn: small ones in whole multiples, so that a pixel stays a square.
+int enlargement(const Channel& channel) {
+    const int longer = std::max({channel.width, channel.height, 1});
     return longer < 200 ? (200 + longer - 1) / longer : 1;
 }
 
 /// Legible from the back row: about a 24th of the picture's side, and larger on a sheet of many, which is shown
 /// smaller.
-int text_size(const Plane& plane, std::size_t panels) {
-    const double side = enlargement(plane) * std::sqrt(static_cast<double>(plane.width) * plane.height);
+int text_size(const Channel& channel, std::size_t panels) {
+    const double side = enlargement(channel) * std::sqrt(static_cast<double>(channel.width) * channel.height);
     return std::max(14, static_cast<int>(side / 24 * std::pow(static_cast<double>(panels), 1.0 / 6)));
 }
 
 Panel panel_of(const Measured& measured, std::size_t panels) {
-    const Plane& plane = measured.planes.front();
-    const int size = text_size(plane, panels);
-    Image picture = enlarged(colored(measured), enlargement(plane));
+    const Channel& channel = measured.channels.front();
+    const int size = text_size(channel, panels);
+    Image picture = enlarged(colored(measured), enlargement(channel));
     const int width = std::max(picture.width, 15 * size);
     return {title(*measured.what, width, size).image, std::move(picture), legend(measured, width, size).image};
 }
@@ -62,7 +62,7 @@ Image heat_map(std::span<const Measured> measured) {
         above = std::max(above, panel.title.height);
         middle = std::max(middle, panel.picture.height);
         below = std::max(below, panel.legend.height);
-        margin = std::max(margin, text_size(m.planes.front(), measured.size()));
+        margin = std::max(margin, text_size(m.channels.front(), measured.size()));
     }
     const int gap = margin / 2;  // between the parts of a panel
     const int height = above + gap + middle + gap + below;

@@ -27,11 +27,11 @@ std::string shortest(long double t, Scalar scalar) {
 std::string row(std::size_t ray, const Shot& shot, Scalar scalar) {
     const bool proven = is_proven(scalar);
     const char* const decided = !proven ? "" : shot.by_filter ? "filter" : "exact";
-    switch (shot.verdict) {
-        case Shot::Verdict::hit:
+    switch (shot.answer) {
+        case Shot::Answer::hit:
             return fmt::format("{},hit,{},{},{},{},{}\n", ray, shot.surface, shortest(shot.t, scalar),
                                proven ? fmt::format("{}", bound_to_print(shot.t_error)) : "", decided, shot.hits);
-        case Shot::Verdict::miss:
+        case Shot::Answer::miss:
             return fmt::format("{},miss,,,,{},0\n", ray, decided);
         default:
             return fmt::format("{},invalid,,,,,0\n", ray);

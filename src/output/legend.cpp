@@ -62,8 +62,8 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 }
 
 Column scale_legend(const Measured& measured, int width, int size) {
-    const Plane& plane = measured.planes.front();
-    const Summary summary = summarized(plane);
+    const Channel& channel = measured.channels.front();
+    const Summary summary = summarized(channel);
     const Coloring coloring = coloring_of(*measured.what, summary);
     const std::string_view unit = measured.what->unit;
 
@@ -81,7 +81,7 @@ Column scale_legend(const Measured& measured, int width, int size) {
     if (summary.any_finite() || measured.what->range) draw_bar(column, coloring, summary);
     add_no_value(column, summary.missing);
 
-    const auto [below, above] = outside(plane, coloring);
+    const auto [below, above] = outside(channel, coloring);
     const auto add = [&](std::int64_t number, Rgb color, const std::string& what) {
         if (number > 0) column.swatch(color, what + ": " + pixels(number));
     };
@@ -116,9 +116,9 @@ Column direction_legend(const Measured& measured, int width, int size) {
     label("1", 2);
 
     std::int64_t missing = 0, outside = 0;
-    for (std::size_t i = 0; i < measured.planes[0].values.size(); ++i) {
-        const double x = measured.planes[0].values[i], y = measured.planes[1].values[i],
-                     z = measured.planes[2].values[i];
+    for (std::size_t i = 0; i < measured.channels[0].values.size(); ++i) {
+        const double x = measured.channels[0].values[i], y = measured.channels[1].values[i],
+                     z = measured.channels[2].values[i];
         if (std::isnan(x) || std::isnan(y) || std::isnan(z)) ++missing;
         else if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > 1) ++outside;
     }

@@ -2,23 +2,23 @@
 #include <span>
 #include <vector>
 
+#include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
-#include "render/measure/plane.hpp"
 
 namespace glassbox {
 
-/// A measurement and what it measured: as many planes as it has components.
+/// A measurement and what it measured: as many channels as it has components.
 struct Measured {
     const Measurement* what;
-    std::span<const Plane> planes;
+    std::span<const Channel> channels;
 };
 
-/// The planes of all, in order.
-inline std::vector<const Plane*> all_planes(std::span<const Measured> measured) {
-    std::vector<const Plane*> planes;
+/// The channels of all, in order.
+inline std::vector<const Channel*> all_channels(std::span<const Measured> measured) {
+    std::vector<const Channel*> channels;
     for (const Measured& m : measured)
-        for (const Plane& plane : m.planes) planes.push_back(&plane);
-    return planes;
+        for (const Channel& channel : m.channels) channels.push_back(&channel);
+    return channels;
 }
 
 }  // namespace glassbox

@@ -19,14 +19,14 @@ void append(std::string& text, Number number) {
 }  // namespace
 
 void table(std::span<const Measured> measured, const Sink& sink) {
-    const std::vector<const Plane*> planes = all_planes(measured);
-    const int width = planes.empty() ? 0 : planes.front()->width;
-    const int height = planes.empty() ? 0 : planes.front()->height;
+    const std::vector<const Channel*> channels = all_channels(measured);
+    const int width = channels.empty() ? 0 : channels.front()->width;
+    const int height = channels.empty() ? 0 : channels.front()->height;
     std::string text = "x,y";
-    for (const Plane* plane : planes) {
-        if (plane->width != width || plane->height != height)
-            throw std::invalid_argument("planes of different sizes do not fit in one table");
-        text += ',' + plane->name;
+    for (const Channel* channel : channels) {
+        if (channel->width != width || channel->height != height)
+            throw std::invalid_argument("channels of different sizes do not fit in one table");
+        text += ',' + channel->name;
     }
     text += '\n';
 
@@ -36,9 +36,9 @@ void table(std::span<const Measured> measured, const Sink& sink) {
             append(text, x);
             text += ',';
             append(text, y);
-            for (const Plane* plane : planes) {
+            for (const Channel* channel : channels) {
                 text += ',';
-                if (!std::isnan(plane->values[pixel])) append(text, plane->values[pixel]);
+                if (!std::isnan(channel->values[pixel])) append(text, channel->values[pixel]);
             }
             text += '\n';
         }

@@ -6,9 +6,9 @@
 
 namespace glassbox {
 
-/// A CSV table: the header x,y and the planes' names, then a row a pixel, in reading order from the top left. Numbers
+/// A CSV table: the header x,y and the channels' names, then a row a pixel, in reading order from the top left. Numbers
 /// are the shortest decimals that read back as the same double; a field is empty where there is no value; inf is inf.
-/// The planes are all of one size.
+/// The channels are all of one size.
 void table(std::span<const Measured> measured, const Sink& sink);
 
 }  // namespace glassbox

@@ -31,7 +31,7 @@ Lighting lighting(const Scene& scene) {
     s.exponent = std::min(s.exponent, std::ldexp(1., Limits::digits + 3));
 
     constexpr int most = Limits::max_exponent / 2 - 4;
-    const Vec3<double>& L = scene.light_position;
+    const Vec3<double>& L = scene.light_vector;
     const int size = std::ilogb(std::max({std::abs(L.x), std::abs(L.y), std::abs(L.z)}));
     const double scale = std::ldexp(1., std::clamp(size, -most, most) - size);
     return {scale * L, held(scene.light_intensity), s};

@@ -21,8 +21,8 @@ std::string_view name_of(Scalar scalar) {
     return name_where(scalars, [&](Scalar one) { return one == scalar; });
 }
 
-std::string_view name_of(Engine engine) {
-    return name_where(engines, [&](Engine one) { return one == engine; });
+std::string_view name_of(EngineChoice engine) {
+    return name_where(engines, [&](EngineChoice one) { return one == engine; });
 }
 
 std::string_view name_of(const SphereRule& rule) {

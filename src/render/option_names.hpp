@@ -19,10 +19,10 @@ inline constexpr NameTable<Scalar, 5> scalars{{
     {"long-double", Scalar::long_double, "the longest that the compiler has: 64 bits on x86"},
 }};
 
-inline constexpr NameTable<Engine, 3> engines{{
-    {"automatic", Engine::automatic, "fast where it answers the same sooner"},
-    {"plain", Engine::plain, "all surfaces, one after the other"},
-    {"fast", Engine::fast, "those whose boxes the ray meets"},
+inline constexpr NameTable<EngineChoice, 3> engines{{
+    {"automatic", EngineChoice::automatic, "fast where it answers the same sooner"},
+    {"plain", EngineChoice::plain, "all surfaces, one after the other"},
+    {"fast", EngineChoice::fast, "those whose boxes the ray meets"},
 }};
 
 inline constexpr NameTable<SphereRule, 3> sphere_rules{{
@@ -38,7 +38,7 @@ inline constexpr NameTable<TriangleRule, 3> triangle_rules{{
 }};
 
 std::string_view name_of(Scalar scalar);
-std::string_view name_of(Engine engine);
+std::string_view name_of(EngineChoice engine);
 std::string_view name_of(const SphereRule& rule);
 /// Without the number of a tolerance.
 std::string_view name_of(const TriangleRule& rule);

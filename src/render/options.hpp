@@ -14,7 +14,7 @@ enum class Scalar { certified, float_, double_, long_double, exact };
 constexpr bool is_proven(Scalar scalar) { return scalar == Scalar::certified || scalar == Scalar::exact; }
 
 /// Which surfaces a ray is tested against.
-enum class Engine {
+enum class EngineChoice {
     automatic,  ///< fast where it answers the same sooner
     plain,      ///< all, one after the other
     fast,       ///< those that a hierarchy of boxes leaves over; for proven answers by the rules that are geometry
@@ -28,7 +28,7 @@ struct Options {
     /// otherwise the view is rebuilt from all of them at once.
     bool accumulated = false;
     Scalar scalar = Scalar::certified;
-    Engine engine = Engine::automatic;
+    EngineChoice engine = EngineChoice::automatic;
     SphereRule sphere_rule;
     TriangleRule triangle_rule;
 

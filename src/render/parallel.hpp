@@ -23,7 +23,7 @@ void run_parallel(const Range& range, const Job& job, const Body& body) {
 }
 
 /// Throws Cancelled if the job was asked to stop, and may.
-inline void keep_going(const Job& job) {
+inline void throw_if_stopped(const Job& job) {
     if (job.stop.stop_requested() && std::chrono::steady_clock::now() >= job.not_before) throw Cancelled{};
 }
 
@@ -34,7 +34,7 @@ void for_each_pixel(int width, int height, const Job& job, const Work& work) {
     run_parallel(tbb::blocked_range2d<int>(0, height, tile_side, 0, width, tile_side), job, [&](const auto& tile) {
         for (int y = tile.rows().begin(); y != tile.rows().end(); ++y) {
             for (int x = tile.cols().begin(); x != tile.cols().end(); ++x) {
-                keep_going(job);
+                throw_if_stopped(job);
                 work(x, y);
             }
             if (job.done) *job.done += tile.cols().end() - tile.cols().begin();
@@ -47,7 +47,7 @@ template <class Work>
 void for_each_index(std::size_t count, const Job& job, const Work& work) {
     run_parallel(tbb::blocked_range<std::size_t>(0, count, 256), job, [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            keep_going(job);
+            throw_if_stopped(job);
             work(i);
         }
         if (job.done) *job.done += static_cast<std::int64_t>(range.size());

@@ -25,8 +25,8 @@ template <class Real, class... Rules>
 Shot shot(const PlainSearch<Real, Rules...>& search, const Ray<double>& ray) {
     CountHits count;
     const auto hit = search.trace(convert<Real>(ray), count);
-    if (!hit) return {.verdict = Shot::Verdict::miss};
-    return {.verdict = Shot::Verdict::hit, .surface = hit->surface, .t = hit->t, .hits = count.hits};
+    if (!hit) return {.answer = Shot::Answer::miss};
+    return {.answer = Shot::Answer::hit, .surface = hit->surface, .t = hit->t, .hits = count.hits};
 }
 
 /// By a certified search.
@@ -35,9 +35,9 @@ Shot shot(const Search& search, const Ray<double>& ray) {
     CountHits count;
     const auto hit = search.trace_proven(ray, count);
     const bool by_filter = count.undecided == 0;
-    if (!hit) return {.verdict = Shot::Verdict::miss, .by_filter = by_filter};
+    if (!hit) return {.answer = Shot::Answer::miss, .by_filter = by_filter};
     const Bounded t = search.sharpened(ray, *hit);
-    return {.verdict = Shot::Verdict::hit,
+    return {.answer = Shot::Answer::hit,
             .surface = hit->surface,
             .t = t.value,
             .hits = count.hits,
@@ -45,10 +45,10 @@ Shot shot(const Search& search, const Ray<double>& ray) {
             .by_filter = by_filter};
 }
 
-Reach reach(std::span<const Ray<double>> rays) {
-    Reach all;
+RayBounds reach(std::span<const Ray<double>> rays) {
+    RayBounds all;
     for (const Ray<double>& ray : rays)
-        if (is_valid(ray)) all = reaching(all, ray);
+        if (is_valid(ray)) all = including(all, ray);
     return all;
 }
 

@@ -13,7 +13,7 @@ namespace glassbox {
 
 /// What became of a ray. `surface` and `t` count for a hit only.
 struct Shot {
-    enum class Verdict { hit, miss, invalid } verdict = Verdict::invalid;
+    enum class Answer { hit, miss, invalid } answer = Answer::invalid;
     std::size_t surface = 0;
     long double t = 0;       ///< in units of |D|, in the scalar that it was computed in
     std::size_t hits = 0;    ///< how many surfaces the ray meets at t > 0

@@ -25,7 +25,7 @@ void trace_tiles(const engine::Engine& engine, const View& view, int width, int 
         std::fill(std::begin(tile.surface), std::end(tile.surface), engine::not_told);
         for (int y0 = part.rows().begin(); y0 < part.rows().end(); y0 += side)
             for (int x0 = part.cols().begin(); x0 < part.cols().end(); x0 += side) {
-                keep_going(job);
+                throw_if_stopped(job);
                 const int bottom = height - y0 - side;  // the tile's lowest row, which may lie below the picture
                 if (grid) engine::trace_tile(engine, *grid, x0, bottom, tile);
                 const int y1 = std::min(y0 + side, part.rows().end()), x1 = std::min(x0 + side, part.cols().end());

@@ -12,7 +12,7 @@ namespace glassbox {
 template <class Probe, class Keep>
 void trace_pixels(const Scene& scene, const Options& options, const Job& job, const Keep& keep) {
     const View seen = view(scene, options);
-    const Reach all = reach(seen, scene.width, scene.height);
+    const RayBounds all = reach(seen, scene.width, scene.height);
     with_tracer<Probe>(scene, options, all, job, [&]<class Search>(const Tracer<Search>& tracer) {
         const auto one_by_one = [&](int x, int y) {
             const Ray<double> ray = pixel_ray(seen, x, y, scene.height);

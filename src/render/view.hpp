@@ -45,10 +45,10 @@ inline Ray<double> pixel_ray(const View& view, int x, int y, int height) {
 
 /// The largest starts and directions of all the rays of a picture. Each coordinate of a pixel's ray only rises, or only
 /// falls, from column to column and row to row, rounding included: its extremes are in the corners.
-inline Reach reach(const View& view, int width, int height) {
-    Reach all;
+inline RayBounds reach(const View& view, int width, int height) {
+    RayBounds all;
     for (const int x : {0, width - 1})
-        for (const int y : {0, height - 1}) all = reaching(all, pixel_ray(view, x, y, height));
+        for (const int y : {0, height - 1}) all = including(all, pixel_ray(view, x, y, height));
     return all;
 }
 

@@ -62,7 +62,7 @@ struct Scene {
     std::variant<ParallelView, PinholeView> view;
     Vec3<double> pivot;  ///< what turns of the view are about
 
-    Vec3<double> light_position{1000, 250, 250};  ///< only its direction from the world's origin counts
+    Vec3<double> light_vector{1000, 250, 250};  ///< only its direction from the world's origin counts
     double light_intensity = 1;
 
     Shading<double> shading{ShadingModel::blinn_phong, 0.2, 1, 0.2, 15, {255, 102, 102}, {255, 255, 255}};

@@ -159,7 +159,7 @@ Scene read_scene(const std::filesystem::path& path) {
 
     const Section light = top.section("light");
     light.expect_keys({"position", "intensity"});
-    scene.light_position = light.get("position", direction, scene.light_position);
+    scene.light_vector = light.get("position", direction, scene.light_vector);
     scene.light_intensity = light.get("intensity", number_from_0, scene.light_intensity);
 
     const Section shading = top.section("shading");

@@ -46,7 +46,7 @@ double time_until_new(HiddenViewer& viewer, std::uint64_t Results::*serial, cons
 /// Another light: all of the picture must be rendered again.
 void move_light(ViewerState& state) {
     Setup setup = state.setup.now();
-    setup.light_position.y += 1;
+    setup.light_vector.y += 1;
     state.setup.amend(setup);
 }
 
@@ -159,9 +159,9 @@ std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int ed
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
         seconds.push_back(seconds_since(start));
-        const learn::mine::News& news = *viewer.results().mine;
-        if (news.stand != Stand::drawn || news.compile_seconds == 0)
-            throw Error("view --bench --mine: error: " + news.words);
+        const learn::mine::PictureUpdate& update = *viewer.results().mine;
+        if (update.stand != Stand::drawn || update.compile_seconds == 0)
+            throw Error("view --bench --mine: error: " + update.words);
     }
     return seconds;
 }

@@ -16,7 +16,7 @@ namespace {
 
 using oracle::Answer, oracle::Oracle;
 using test::to_oracle;
-using Verdict = Shot::Verdict;
+using Verdict = Shot::Answer;
 
 Verdict verdict(const Answer& truth) {
     return !truth.valid ? Verdict::invalid : truth.first ? Verdict::hit : Verdict::miss;
@@ -45,8 +45,8 @@ std::string shown(const Oracle& oracle, const Ray<double>& ray, const Answer& tr
 
 std::string shown(const Shot& shot) {
     std::ostringstream out;
-    out << shown(shot.verdict);
-    if (shot.verdict != Verdict::hit) return out.str();
+    out << shown(shot.answer);
+    if (shot.answer != Verdict::hit) return out.str();
     out.precision(25);
     out << " of " << shot.surface << " at t = " << shot.t << " ± " << shot.t_error << ", meets " << shot.hits
         << (shot.by_filter ? ", by filter" : ", exactly");
@@ -83,10 +83,10 @@ bool judge(Tally& tally, const Oracle& oracle, const Ray<double>& ray, const Ans
     const auto is_right = [&] { return before == tally.wrong() + tally.broken_bounds; };
     ++tally.rays;
     tally.exactly += truth.valid && !shot.by_filter;
-    if (shot.verdict != verdict(truth)) ++tally.wrong_verdicts;
+    if (shot.answer != verdict(truth)) ++tally.wrong_verdicts;
     else if (truth.first && shot.surface != truth.first->surface) ++tally.wrong_surfaces;
     if (shot.hits != truth.met.size()) ++tally.wrong_counts;
-    if (!proven || !truth.first || shot.verdict != Verdict::hit) return is_right();
+    if (!proven || !truth.first || shot.answer != Verdict::hit) return is_right();
 
     ++tally.hits;
     const oracle::Ray its_ray = to_oracle(ray);

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "../certified/cases.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/fast_search.hpp"
-#include "render/search/ready.hpp"
 #include "render/shoot.hpp"
 
 using namespace glassbox;
@@ -14,9 +14,9 @@ using test::Case;
 
 namespace {
 
-using Verdict = Shot::Verdict;
+using Verdict = Shot::Answer;
 
-Options by(Engine engine) {
+Options by(EngineChoice engine) {
     Options options;
     options.engine = engine;
     return options;
@@ -32,15 +32,15 @@ std::string shown(const Ray<double>& ray) {
 std::string shown(const Shot& shot) {
     std::ostringstream out;
     out.precision(21);
-    out << (shot.verdict == Verdict::hit    ? "hit of "
-            : shot.verdict == Verdict::miss ? "miss "
-                                            : "invalid ")
+    out << (shot.answer == Verdict::hit    ? "hit of "
+            : shot.answer == Verdict::miss ? "miss "
+                                           : "invalid ")
         << shot.surface << " at " << shot.t << " ± " << shot.t_error << ", meets " << shot.hits;
     return out.str();
 }
 
 bool same(const Shot& one, const Shot& other) {
-    return one.verdict == other.verdict && one.surface == other.surface && one.t == other.t && one.hits == other.hits &&
+    return one.answer == other.answer && one.surface == other.surface && one.t == other.t && one.hits == other.hits &&
            one.t_error == other.t_error;
 }
 
@@ -51,9 +51,9 @@ int differences(const Case& c) {
         if (++count <= 3)
             MESSAGE(c.name << "\n  ray      " << shown(ray) << "\n  expected " << expected << "\n  got      " << got);
     };
-    const std::vector<Shot> plain = shoot(c.scene, by(Engine::plain), c.rays, {1, {}, nullptr});
-    const std::vector<Shot> fast = shoot(c.scene, by(Engine::fast), c.rays, {1, {}, nullptr});
-    const FastSearch nearest_only(ready(c.scene, 5, 1), {}, {});
+    const std::vector<Shot> plain = shoot(c.scene, by(EngineChoice::plain), c.rays, {1, {}, nullptr});
+    const std::vector<Shot> fast = shoot(c.scene, by(EngineChoice::fast), c.rays, {1, {}, nullptr});
+    const FastSearch nearest_only(build_engine(c.scene, 5, 1), {}, {});
     const Silent silent;
     for (std::size_t i = 0; i < c.rays.size(); ++i) {
         const Ray<double>& ray = c.rays[i];
@@ -61,7 +61,7 @@ int differences(const Case& c) {
         // What bounds decide in the plain loop the engine need not ask exact arithmetic.
         if (plain[i].by_filter && !fast[i].by_filter) differs(ray, "decided by bounds", "decided exactly");
         const auto hit = nearest_only.trace(ray, silent);
-        if (hit.has_value() != (plain[i].verdict == Verdict::hit)) differs(ray, shown(plain[i]), hit ? "hit" : "miss");
+        if (hit.has_value() != (plain[i].answer == Verdict::hit)) differs(ray, shown(plain[i]), hit ? "hit" : "miss");
         else if (hit && hit->surface != plain[i].surface)
             differs(ray, shown(plain[i]), "hit of " + std::to_string(hit->surface));
     }

@@ -8,9 +8,9 @@
 
 #include "../certified/cases.hpp"
 #include "engine/kernels.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/certified_search.hpp"
 #include "render/search/fast_search.hpp"
-#include "render/search/ready.hpp"
 #include "render/tiles.hpp"
 
 using namespace glassbox;
@@ -32,7 +32,7 @@ Counts check(const std::string& name, const Scene& scene, bool pixels_apart = tr
     const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {}, reach(seen, scene.width, scene.height), false);
     Counts counts;
     int wrong = 0, far_off = 0;
-    trace_tiles(*ready(scene, 5, 1), seen, scene.width, scene.height, {1, {}, nullptr},
+    trace_tiles(*build_engine(scene, 5, 1), seen, scene.width, scene.height, {1, {}, nullptr},
                 [&](int x, int y, std::uint32_t surface, double t) {
                     ++counts.pixels;
                     if (surface == engine::not_told) return;
@@ -205,7 +205,7 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
             const View seen = view(scene, {});
             const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {}, reach(seen, scene.width, scene.height),
                                         false);
-            const FastSearch fast(ready(scene, 5, 1), {}, {});
+            const FastSearch fast(build_engine(scene, 5, 1), {}, {});
             int wrong = 0;
             for (int y = 0; y < scene.height; y += 3)
                 for (int x = 0; x < scene.width; x += 3) {

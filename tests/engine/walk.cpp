@@ -7,8 +7,8 @@
 #include <probe.hpp>
 #include <random>
 
+#include "render/search/build_engine.hpp"
 #include "render/search/fast_search.hpp"
-#include "render/search/ready.hpp"
 #include "render/search/surfaces.hpp"
 
 using namespace glassbox;
@@ -53,7 +53,7 @@ TEST_CASE("the walk of lesson 7 meets what the engine meets, and the plain loop"
     for (const auto& sphere : all.spheres) boxes.push_back(engine::box_of(sphere, {0, 0, 0}));
     for (const auto& triangle : all.triangles) boxes.push_back(engine::box_of(triangle, {0, 0, 0}));
     const engine::Tree tree = engine::tree_over(boxes);
-    const FastSearch certified(ready(scene, 5, 1), {}, {});
+    const FastSearch certified(build_engine(scene, 5, 1), {}, {});
 
     const Silent silent;
     Counting counting;

@@ -284,7 +284,7 @@ TEST_CASE("an irrational cancellation to 0 is not said to be another number, nor
     Scene scene;
     scene.width = scene.height = 9;
     scene.view = ParallelView{{9, -4, -4}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
-    scene.light_position = {1000, 250, 250};
+    scene.light_vector = {1000, 250, 250};
     scene.shading.model = ShadingModel::phong;
     scene.triangles = {{{Vec3<double>{0, -4, 1}, {2, -1, 2}, {4, 1, 4}}, {200, 180, 160}}};
     for (const Named<Scalar>& scalar : scalars) {

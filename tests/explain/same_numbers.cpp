@@ -9,7 +9,7 @@
 #include "explain/explain.hpp"
 #include "render/option_names.hpp"
 #include "render/render.hpp"
-#include "render/search/ready.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
 
@@ -33,16 +33,16 @@ struct Different {
 Different differences(const Scene& scene, const Options& options) {
     const Image image = render(scene, options);
     const std::array wanted{find_measurement("depth"), find_measurement("normal")};
-    const std::vector<std::vector<Plane>> planes = measure(scene, options, wanted);
+    const std::vector<std::vector<Channel>> channels = measure(scene, options, wanted);
     Different different;
     Job job;
-    job.engine = ready(scene, options.stage);
+    job.engine = build_engine(scene, options.stage);
     for (int pixels = scene.width * scene.height, i = 0; i < pixels; i += stride) {
         const int x = i % scene.width, y = i / scene.width;
         const Story story = explain(scene, options, x, y, Detail::recorded, job);
         different.colors += !(story.color == image.at(x, y));
         const auto pixel = static_cast<std::size_t>(y * scene.width + x);
-        const auto measured = [&](std::size_t m, std::size_t p) { return planes[m][p].values[pixel]; };
+        const auto measured = [&](std::size_t m, std::size_t p) { return channels[m][p].values[pixel]; };
         if (!story.hit) {
             different.ts += !same_bits(measured(0, 0), no_value);
             continue;

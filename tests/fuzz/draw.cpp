@@ -150,7 +150,7 @@ void look(Random& random, Drawn& drawn, const Point& middle, double size, int le
 
 // Kinds of scenes
 
-/// Few bits: vertices, edges and planes that many surfaces share, spheres that touch, rays exactly through all of it.
+/// Few bits: vertices, edges and channels that many surfaces share, spheres that touch, rays exactly through all of it.
 Drawn lattice(Random& random) {
     Drawn drawn;
     const int bits = random.between(1, 5);

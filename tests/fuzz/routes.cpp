@@ -126,7 +126,7 @@ Route same_bytes() {
     return {"shaded by the engine and without",
             [](const Trial& trial) -> Found {
                 Options plain;
-                plain.engine = Engine::plain;
+                plain.engine = EngineChoice::plain;
                 const Image expected = render(trial.scene(), plain, on(trial, 1));
                 const Image got = render(trial.scene(), {}, on(trial, 1));
                 for (std::size_t i = 0; i < trial.pixels(); ++i)
@@ -137,8 +137,8 @@ Route same_bytes() {
             "render"};
 }
 
-std::vector<std::vector<Plane>> measured(const Trial& trial, const Options& options,
-                                         std::initializer_list<std::string_view> names) {
+std::vector<std::vector<Channel>> measured(const Trial& trial, const Options& options,
+                                           std::initializer_list<std::string_view> names) {
     std::vector<const Measurement*> wanted;
     for (const std::string_view name : names) wanted.push_back(find_measurement(name));
     return measure(trial.scene(), options, wanted, on(trial, 1));
@@ -220,10 +220,10 @@ Route judged(Scalar scalar) {
 /// What is wrong with a shot, if anything is.
 std::string why_wrong(const oracle::Oracle& oracle, const Ray<double>& ray, const oracle::Answer& answer,
                       const Shot& shot) {
-    using Verdict = Shot::Verdict;
+    using Verdict = Shot::Answer;
     const Verdict verdict = !answer.valid ? Verdict::invalid : answer.first ? Verdict::hit : Verdict::miss;
-    if (shot.verdict != verdict)
-        return shot.verdict == Verdict::hit ? "wrong hit" : verdict == Verdict::hit ? "wrong miss" : "wrong verdict";
+    if (shot.answer != verdict)
+        return shot.answer == Verdict::hit ? "wrong hit" : verdict == Verdict::hit ? "wrong miss" : "wrong verdict";
     if (!answer.first) return {};
     if (shot.surface != answer.first->surface) return "wrong surface";
     if (shot.hits != answer.met.size()) return "wrong count";
@@ -236,10 +236,10 @@ std::string why_wrong(const oracle::Oracle& oracle, const Ray<double>& ray, cons
 }
 
 std::string shown(const Shot& shot) {
-    switch (shot.verdict) {
-        case Shot::Verdict::miss:
+    switch (shot.answer) {
+        case Shot::Answer::miss:
             return "nothing";
-        case Shot::Verdict::invalid:
+        case Shot::Answer::invalid:
             return "invalid";
         default:
             return fmt::format("surface {} at t = {} ± {}; {} met", shot.surface, static_cast<double>(shot.t),
@@ -303,8 +303,8 @@ Route rays_of_the_view() {
 std::vector<Route> all_routes() {
     std::vector<Route> routes{rays_of_the_view()};
     Options plain, fast, other;
-    plain.engine = Engine::plain;
-    fast.engine = Engine::fast;
+    plain.engine = EngineChoice::plain;
+    fast.engine = EngineChoice::fast;
     other.sphere_rule = Textbook{};
     other.triangle_rule = MoellerTrumbore{};
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
@@ -320,7 +320,7 @@ std::vector<Route> all_routes() {
     routes.push_back(normals());
     for (const Scalar scalar : {Scalar::float_, Scalar::double_, Scalar::long_double}) routes.push_back(judged(scalar));
 
-    for (const Engine engine : {Engine::plain, Engine::fast})
+    for (const EngineChoice engine : {EngineChoice::plain, EngineChoice::fast})
         for (const SphereRule& sphere : {SphereRule(Stable{}), SphereRule(Textbook{})})
             for (const TriangleRule& triangle : {TriangleRule(Pluecker{}), TriangleRule(MoellerTrumbore{})}) {
                 Options options;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "render/options.hpp"
-#include "render/search/ready.hpp"
+#include "render/search/build_engine.hpp"
 #include "scene/scene_file.hpp"
 
 namespace glassbox::fuzz {
@@ -37,7 +37,7 @@ Trial::Trial(Drawn drawn)
       scene_(read(drawn_)),
       view_(glassbox::view(scene_, {})),
       oracle_(drawn_.surfaces),
-      engine_(ready(scene_, 5, 1)) {
+      engine_(build_engine(scene_, 5, 1)) {
     for (int y = 0; y < drawn_.height; ++y)
         for (int x = 0; x < drawn_.width; ++x) pixel_rays_.push_back(pixel_ray(view_, x, y, drawn_.height));
     for (const auto& [P, D] : drawn_.rays) rays_.push_back({to_vec3(P), to_vec3(D)});

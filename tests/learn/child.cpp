@@ -1,4 +1,4 @@
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 
 #include <doctest.h>
 #include <pthread.h>
@@ -48,7 +48,7 @@ TEST_CASE("a program that works: its outputs, its exit status, nothing to say") 
     CHECK(outcome.output == "out\n");
     CHECK(outcome.errors == "err\n");
     CHECK(outcome.last_words.kind == LastWords::finished);
-    CHECK(in_words(outcome) == "");
+    CHECK(how_it_ended(outcome) == "");
     CHECK(outcome.took.count() > 0);
     CHECK(outcome.took.count() < 20);
 }
@@ -81,12 +81,12 @@ TEST_CASE("what cannot be started is told") {
     const Outcome missing = run({"/no/such/program", {}});
     CHECK(missing.end == End::not_started);
     CHECK(!missing.well());
-    CHECK(in_words(missing) == "/no/such/program: error: there is no such program");
-    CHECK(in_words(run({"no-such-program-anywhere", {}})) ==
+    CHECK(how_it_ended(missing) == "/no/such/program: error: there is no such program");
+    CHECK(how_it_ended(run({"no-such-program-anywhere", {}})) ==
           "no-such-program-anywhere: error: there is no such program in PATH; install it");
     Command command = ending("well");
     command.folder = "/no/such/folder";
-    CHECK(in_words(run(command)) == "/no/such/folder: error: there is no such folder");
+    CHECK(how_it_ended(run(command)) == "/no/such/folder: error: there is no such folder");
     CHECK(run({"true", {}}).well());
 }
 
@@ -94,12 +94,12 @@ TEST_CASE("exit statuses") {
     const Outcome outcome = run(ending("status", {"3"}));
     CHECK(outcome.end == End::exited);
     CHECK(outcome.status == 3);
-    CHECK(in_words(run({"sh", {"-c", "echo no such scene >&2; exit 2"}})) ==
+    CHECK(how_it_ended(run({"sh", {"-c", "echo no such scene >&2; exit 2"}})) ==
           "it ended with exit status 2: no such scene");
 }
 
 TEST_CASE("hostile ends are told in words") {
-    const auto words = [](const std::string& kind) { return in_words(run(ending(kind))); };
+    const auto words = [](const std::string& kind) { return how_it_ended(run(ending(kind))); };
     CHECK(words("null") == "it followed a null pointer (address 0x8)");  // y lies after x, 8 bytes on
     CHECK(words("astray") ==
           "it touched memory that is not its own (address 0x7ff000000008): a pointer or an index gone astray?");
@@ -123,7 +123,7 @@ TEST_CASE("an endless loop ends at the deadline, even if it ignores signals") {
         CHECK(outcome.end == End::deadline);
         CHECK(outcome.took >= 300ms);
         CHECK(outcome.took < 5s);
-        CHECK(in_words(outcome) == "it ran for 0.3 s without ending: an endless loop?");
+        CHECK(how_it_ended(outcome) == "it ran for 0.3 s without ending: an endless loop?");
     }
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("endless output ends; much output is cut, and not waited for") {
     CHECK(endless.end == End::output);
     CHECK(endless.output.size() == command.limits.output);
     CHECK(endless.output.substr(0, 15) == "again and again");
-    CHECK(in_words(endless) == "it wrote more than 4 MiB without ending: an endless loop that prints?");
+    CHECK(how_it_ended(endless) == "it wrote more than 4 MiB without ending: an endless loop that prints?");
 
     command = ending("much");
     command.limits.output = 100;
@@ -160,14 +160,15 @@ TEST_CASE("too much memory") {
     command.limits.memory = std::uint64_t{512} << 20;
     const Outcome outcome = run(command);
     CHECK(outcome.end == End::memory);
-    CHECK(in_words(outcome) == "it asked for more memory than it may have (512 MiB): does something grow without end?");
+    CHECK(how_it_ended(outcome) ==
+          "it asked for more memory than it may have (512 MiB): does something grow without end?");
 }
 
 TEST_CASE("a file that grows without end") {
     const Folder folder;
     Command command = ending("file", {(folder.path / "large").string()});
     command.limits.file = std::uint64_t{3} << 20;
-    CHECK(in_words(run(command)) == "it wrote a file of more than 3 MiB");
+    CHECK(how_it_ended(run(command)) == "it wrote a file of more than 3 MiB");
     CHECK(std::filesystem::file_size(folder.path / "large") <= command.limits.file);
 }
 
@@ -188,7 +189,7 @@ TEST_CASE("it can be stopped from another thread, before and while it runs") {
     const Outcome outcome = run(ending("loop"), source.get_token());
     CHECK(outcome.end == End::stopped);
     CHECK(outcome.took < 10s);
-    CHECK(in_words(outcome) == "it was stopped");
+    CHECK(how_it_ended(outcome) == "it was stopped");
     CHECK(run(ending("loop"), source.get_token()).end == End::stopped);
 }
 
@@ -210,8 +211,8 @@ TEST_CASE("signals that we block and ignore are not blocked and ignored there") 
     sigaddset(&blocked, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &blocked, &before);
     const auto old = ::signal(SIGINT, SIG_IGN);
-    CHECK(in_words(run({"sh", {"-c", "kill -TERM $$; sleep 5"}})).substr(0, 9) == "signal 15");
-    CHECK(in_words(run({"sh", {"-c", "kill -INT $$; sleep 5"}})).substr(0, 8) == "signal 2");
+    CHECK(how_it_ended(run({"sh", {"-c", "kill -TERM $$; sleep 5"}})).substr(0, 9) == "signal 15");
+    CHECK(how_it_ended(run({"sh", {"-c", "kill -INT $$; sleep 5"}})).substr(0, 8) == "signal 2");
     ::signal(SIGINT, old);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }

@@ -57,7 +57,7 @@ public:
         std::ofstream(header(), std::ios::binary) << text;
         const fs::path folder = workspace().hidden() / exercise_.name;
         fs::create_directories(folder);
-        Tested tested;
+        TestedLesson tested;
         tested.run = run_tests(workspace(), exercise_, learner_.tools(),
                                {workspace().headers_of(exercise_), folder, false, deadline});
         tested.judgement = judged(exercise_, tested.run);

@@ -204,7 +204,7 @@ TEST_CASE("however a program ends, isolated it is told in the same words") {
         CHECK(other.status == one.status);
         CHECK(other.output == one.output);
         CHECK(other.errors == one.errors);
-        CHECK(in_words(other) == in_words(one));
+        CHECK(how_it_ended(other) == how_it_ended(one));
     }
     for (const char* status : {"0", "3", "139", "255"}) {  // 139 is not the signal 11, as the program says
         CHECK(run(of_child("status", true, {status})).end == End::exited);
@@ -212,7 +212,7 @@ TEST_CASE("however a program ends, isolated it is told in the same words") {
     }
     Command loop = of_child("loop", true);
     loop.limits.time = 500ms;
-    CHECK(in_words(run(loop)) == "it ran for 0.5 s without ending: an endless loop?");
+    CHECK(how_it_ended(run(loop)) == "it ran for 0.5 s without ending: an endless loop?");
 }
 
 TEST_CASE("an isolated program reaches the memory that it shares, and sees no environment but what it needs") {
@@ -271,7 +271,7 @@ TEST_CASE("what a stranger's function tries succeeds without isolation, fails wi
     CHECK(grader.why_not_isolated() == "");
     const LearnerStanding standing = grader.grade(handed_in(machine.teacher, machine.ada));
     const LessonStanding& rays = standing.lessons.front();
-    CHECK_MESSAGE(rays.verdict == Verdict::passed, rays.wrong);
+    CHECK_MESSAGE(rays.grade == Grade::passed, rays.wrong);
     CHECK(functions_passed(rays) == 9);
     CHECK(rays.no_picture == "");
     CHECK(pixels_differing(rays) == 0);
@@ -312,13 +312,13 @@ TEST_CASE("a header that is a link to somebody else's file is refused, and no er
     fs::create_symlink(machine.bo / "1-rays/vec3.hpp", machine.ada / "1-rays/vec3.hpp");
     Grader grader(machine.teacher, Isolating::always, nothing);
     const LearnerStanding standing = grader.grade(handed_in(machine.teacher, machine.ada));
-    CHECK(standing.lessons.front().verdict == Verdict::does_not_compile);
+    CHECK(standing.lessons.front().grade == Grade::does_not_compile);
     CHECK(standing.lessons.front().wrong.find("this is a link to a file elsewhere") != std::string::npos);
 
     fs::remove(machine.ada / "1-rays/vec3.hpp");
     machine.write(machine.ada,
                   machine.solution() + fmt::format("#line 1 \"{}/.ssh/id\"\nint x = y;\n", machine.home.string()));
     const LessonStanding named = grader.grade(handed_in(machine.teacher, machine.ada)).lessons.front();
-    CHECK(named.verdict == Verdict::does_not_compile);
+    CHECK(named.grade == Grade::does_not_compile);
     CHECK(named.wrong.find("a key") == std::string::npos);
 }

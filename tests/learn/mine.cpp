@@ -24,7 +24,7 @@ struct Learner {
     test::Folder folder;
     Workspace workspace = open_workspace(ROOT, folder.path);
     Maker maker;
-    std::vector<News> told;
+    std::vector<PictureUpdate> told;
 
     const Exercise& exercise(int number) const { return exercise_called(workspace, std::to_string(number)); }
 
@@ -48,10 +48,10 @@ struct Learner {
         write(of, header, text.replace(at, instead_of.size(), put));
     }
 
-    /// The last news of a picture.
-    News draw(const Exercise& of, const Scene& scene, const Options& options) {
+    /// The last update of a picture.
+    PictureUpdate draw(const Exercise& of, const Scene& scene, const Options& options) {
         told.clear();
-        maker.make(workspace, of, scene, options, [&](News news) { told.push_back(std::move(news)); });
+        maker.make(workspace, of, scene, options, [&](PictureUpdate update) { told.push_back(std::move(update)); });
         REQUIRE(!told.empty());
         return told.back();
     }
@@ -75,14 +75,14 @@ TEST_CASE("the solutions draw what we draw, to the last pixel, at every stage") 
         CAPTURE(stage);
         const Exercise& exercise = learner.exercise(stage);
         learner.solve(exercise);
-        const News news = learner.draw(exercise, scene, in_double(stage));
-        CHECK(news.stand == Stand::drawn);
-        CHECK(news.words == "");
-        CHECK(news.compile_seconds > 0);
-        REQUIRE(news.drawing);
-        CHECK(news.drawing->drawn == 500 * 500);
-        CHECK(news.drawing->not_numbers == 0);
-        CHECK(news.drawing->image.pixels == render(scene, in_double(stage)).pixels);
+        const PictureUpdate update = learner.draw(exercise, scene, in_double(stage));
+        CHECK(update.stand == Stand::drawn);
+        CHECK(update.words == "");
+        CHECK(update.compile_seconds > 0);
+        REQUIRE(update.drawing);
+        CHECK(update.drawing->drawn == 500 * 500);
+        CHECK(update.drawing->not_numbers == 0);
+        CHECK(update.drawing->image.pixels == render(scene, in_double(stage)).pixels);
     }
     // The last one, compiled already, with a pinhole and a mesh; and by other rules, turned.
     const Exercise& turns = learner.exercise(5);
@@ -90,64 +90,64 @@ TEST_CASE("the solutions draw what we draw, to the last pixel, at every stage") 
     options.turns = {{Axis::z, 20}, {Axis::y, -10}};
     options.accumulated = true;
     const Scene room = resized(read_scene(ROOT "/scenes/room.toml"), 37, 23);
-    News news = learner.draw(turns, room, options);
-    CHECK(news.compile_seconds == 0);
+    PictureUpdate update = learner.draw(turns, room, options);
+    CHECK(update.compile_seconds == 0);
     CHECK(learner.told.front().stand != Stand::compiling);
-    CHECK(news.drawing->image.pixels == render(room, options).pixels);
+    CHECK(update.drawing->image.pixels == render(room, options).pixels);
     options.sphere_rule = Textbook{};
     options.triangle_rule = Tolerance{25};
-    news = learner.draw(turns, scene, options);
-    CHECK(news.compile_seconds > 0);
-    CHECK(news.drawing->image.pixels == render(scene, options).pixels);
+    update = learner.draw(turns, scene, options);
+    CHECK(update.compile_seconds > 0);
+    CHECK(update.drawing->image.pixels == render(scene, options).pixels);
     options.sphere_rule = Levental2014{};
     options.triangle_rule = MoellerTrumbore{};
-    news = learner.draw(turns, room, options);
-    CHECK(news.stand == Stand::drawn);
-    CHECK(news.drawing->image.pixels == render(room, options).pixels);
+    update = learner.draw(turns, room, options);
+    CHECK(update.stand == Stand::drawn);
+    CHECK(update.drawing->image.pixels == render(room, options).pixels);
 }
 
 TEST_CASE("what is not begun, deleted or not written is told, and how to go on") {
     Learner learner;
     const Exercise& spheres = learner.exercise(2);
     const Scene scene = paper();
-    News news = learner.draw(spheres, scene, in_double(2));
-    CHECK(news.stand == Stand::not_there);
-    CHECK(news.words.find("2-spheres is not begun: './glassbox learn test 2' makes the files that you write") !=
+    PictureUpdate update = learner.draw(spheres, scene, in_double(2));
+    CHECK(update.stand == Stand::not_there);
+    CHECK(update.words.find("2-spheres is not begun: './glassbox learn test 2' makes the files that you write") !=
           std::string::npos);
 
     for (const std::string& header : spheres.headers)
         learner.write(spheres, header, test::content(spheres.starter(header)));
-    news = learner.draw(spheres, scene, in_double(2));
-    CHECK(news.stand == Stand::not_written);
-    CHECK(news.spot == std::nullopt);  // it is the same at every pixel
-    CHECK(news.words.find("`intersect` is not written yet (") == 0);
-    CHECK(news.words.find("2-spheres/sphere.hpp:") != std::string::npos);
+    update = learner.draw(spheres, scene, in_double(2));
+    CHECK(update.stand == Stand::not_written);
+    CHECK(update.spot == std::nullopt);  // it is the same at every pixel
+    CHECK(update.words.find("`intersect` is not written yet (") == 0);
+    CHECK(update.words.find("2-spheres/sphere.hpp:") != std::string::npos);
 
     // The roots can be chosen: one rule can wait.
     learner.mistake(spheres, "sphere.hpp", "const Vec3<Real> d = ray.D;",
                     "return not_written<Roots<Real>>(\"Stable\");\n        const Vec3<Real> d = ray.D;");
     learner.write(spheres, "crossing.hpp", learner.solution(spheres, "crossing.hpp"));
-    news = learner.draw(spheres, scene, in_double(2));
-    INFO(news.words);
-    CHECK(news.words.find("`Stable` is not written yet (") == 0);
-    CHECK(news.words.find("until it is, another rule can be chosen in the controls") != std::string::npos);
+    update = learner.draw(spheres, scene, in_double(2));
+    INFO(update.words);
+    CHECK(update.words.find("`Stable` is not written yet (") == 0);
+    CHECK(update.words.find("until it is, another rule can be chosen in the controls") != std::string::npos);
     Options textbook = in_double(2);
     textbook.sphere_rule = Textbook{};
-    news = learner.draw(spheres, scene, textbook);
-    CHECK(news.stand == Stand::drawn);
+    update = learner.draw(spheres, scene, textbook);
+    CHECK(update.stand == Stand::drawn);
 
     Exercise speed = spheres;  // as a lesson whose headers no tracer of ours includes
     speed.number = 7, speed.name = "7-speed", speed.own_picture = OwnPicture::none;
-    news = learner.draw(speed, scene, in_double(2));
-    CHECK(news.stand == Stand::not_there);
-    CHECK(news.words.find("'./glassbox learn picture 7' draws one that is") != std::string::npos);
+    update = learner.draw(speed, scene, in_double(2));
+    CHECK(update.stand == Stand::not_there);
+    CHECK(update.words.find("'./glassbox learn picture 7' draws one that is") != std::string::npos);
 
     fs::remove(learner.workspace.header(spheres, "sphere.hpp"));
-    news = learner.draw(spheres, scene, in_double(2));
-    CHECK(news.stand == Stand::not_there);
-    CHECK(news.words.find("sphere.hpp: error: there is no such file: was it deleted, or renamed?") !=
+    update = learner.draw(spheres, scene, in_double(2));
+    CHECK(update.stand == Stand::not_there);
+    CHECK(update.words.find("sphere.hpp: error: there is no such file: was it deleted, or renamed?") !=
           std::string::npos);
-    CHECK(news.drawing == nullptr);
+    CHECK(update.drawing == nullptr);
 }
 
 TEST_CASE("what does not compile is told at its line, even if it is wrong in a hundred ways") {
@@ -155,24 +155,24 @@ TEST_CASE("what does not compile is told at its line, even if it is wrong in a h
     const Exercise& spheres = learner.exercise(2);
     learner.solve(spheres);
     learner.mistake(spheres, "sphere.hpp", "const Real b = -dot(f, d);", "const Real b = -dott(f, d);");
-    News news = learner.draw(spheres, paper(), in_double(2));
-    CHECK(news.stand == Stand::does_not_compile);
-    REQUIRE(news.error);
-    CHECK(news.error->yours);
-    CHECK(fs::path(news.error->place.file).filename() == "sphere.hpp");
+    PictureUpdate update = learner.draw(spheres, paper(), in_double(2));
+    CHECK(update.stand == Stand::does_not_compile);
+    REQUIRE(update.error);
+    CHECK(update.error->yours);
+    CHECK(fs::path(update.error->place.file).filename() == "sphere.hpp");
     const std::string text = test::content(learner.workspace.header(spheres, "sphere.hpp"));
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("dott")), '\n');
-    CHECK(news.error->place.line == static_cast<std::size_t>(line));
-    CHECK(news.words.find("dott") != std::string::npos);
+    CHECK(update.error->place.line == static_cast<std::size_t>(line));
+    CHECK(update.words.find("dott") != std::string::npos);
     CHECK(learner.told.front().stand == Stand::compiling);
 
     std::string hundred;
     for (int i = 0; i < 100; ++i) hundred += "struct { { ( [ template <class> > = ; #if }\n@ $ '\n";
     learner.write(spheres, "sphere.hpp", hundred);
-    news = learner.draw(spheres, paper(), in_double(2));
-    CHECK(news.stand == Stand::does_not_compile);
-    CHECK(news.words != "");
-    CHECK(news.drawing == nullptr);
+    update = learner.draw(spheres, paper(), in_double(2));
+    CHECK(update.stand == Stand::does_not_compile);
+    CHECK(update.words != "");
+    CHECK(update.drawing == nullptr);
 
     learner.solve(spheres);
     CHECK(learner.draw(spheres, paper(), in_double(2)).stand == Stand::drawn);
@@ -230,26 +230,26 @@ inline void hostile() {
 #endif
     };
     for (const auto& [kind, words] : kinds) {
-        const News news = end(kind);
-        CHECK(news.stand == Stand::failed);
-        CHECK(news.words == words);
-        CHECK(news.spot == Spot{240, 128});
-        REQUIRE(news.drawing);
+        const PictureUpdate update = end(kind);
+        CHECK(update.stand == Stand::failed);
+        CHECK(update.words == words);
+        CHECK(update.spot == Spot{240, 128});
+        REQUIRE(update.drawing);
         // The coarse pixels before it, 16 apart, are drawn: 8 rows of 32, and 15 of the ninth. (0, 0) lies on the
         // border.
-        CHECK(news.drawing->drawn == 8 * 32 + 15);
-        CHECK(news.drawing->states[240 + 500 * 128] == SheetPixel::not_drawn);
-        CHECK(news.drawing->image.at(224, 128) == ours.at(224, 128));
+        CHECK(update.drawing->drawn == 8 * 32 + 15);
+        CHECK(update.drawing->states[240 + 500 * 128] == SheetPixel::not_drawn);
+        CHECK(update.drawing->image.at(224, 128) == ours.at(224, 128));
     }
-    const News print = end("print");
+    const PictureUpdate print = end("print");
     CHECK(print.stand == Stand::failed);
     CHECK(print.spot == Spot{240, 128});
     CHECK(print.words.find("without ending: an endless loop") != std::string::npos);  // as to time, or as to output
     CHECK(print.said.find("I am here, and here") == 0);
-    const News memory = end("memory");
+    const PictureUpdate memory = end("memory");
     CHECK(memory.spot == Spot{240, 128});
     CHECK(memory.words.find("at pixel (240, 128) it asked for more memory than it may have (10") == 0);
-    const News fine = end("say");
+    const PictureUpdate fine = end("say");
     CHECK(fine.stand == Stand::drawn);
     CHECK(fine.spot == std::nullopt);
     CHECK(fine.said == "hello\nhello\n");  // there are two spheres
@@ -264,8 +264,8 @@ TEST_CASE("numbers that are none are counted, and their pixels known") {
     learner.mistake(spheres, "sphere.hpp", "const Real root = sqrt(discriminant);\n        const Real q",
                     "const Real root = (b - b) / (a - a);\n        const Real q");
     const Scene scene = paper();
-    const News news = learner.draw(spheres, scene, in_double(2));
-    CHECK(news.stand == Stand::drawn);
+    const PictureUpdate update = learner.draw(spheres, scene, in_double(2));
+    CHECK(update.stand == Stand::drawn);
     // The pixels whose rays meet a sphere's line: with the solution, those that are not background. From the top left
     // the first is the top of the green sphere: centre row 350, radius 50, so row 400, y = 99, at column 350.
     Scene plain = scene;
@@ -273,12 +273,12 @@ TEST_CASE("numbers that are none are counted, and their pixels known") {
     const Image ours = render(plain, in_double(2));
     const auto hit =
         std::count_if(ours.pixels.begin(), ours.pixels.end(), [&](Rgb c) { return c != scene.background; });
-    CHECK(news.drawing->not_numbers == hit);
-    CHECK(news.spot == Spot{350, 99});
-    CHECK(news.words ==
+    CHECK(update.drawing->not_numbers == hit);
+    CHECK(update.spot == Spot{350, 99});
+    CHECK(update.words ==
           std::to_string(hit) + " pixels are made of something that is not a number (NaN), the first at (350, 99)");
-    CHECK(news.drawing->states[350 + 500 * 99] == SheetPixel::not_a_number);
-    CHECK(news.drawing->states[350 + 500 * 98] == SheetPixel::drawn);
+    CHECK(update.drawing->states[350 + 500 * 99] == SheetPixel::not_a_number);
+    CHECK(update.drawing->states[350 + 500 * 98] == SheetPixel::drawn);
 }
 
 TEST_CASE("lesson 6: what bounds prove is true; what they leave open is counted") {
@@ -288,29 +288,31 @@ TEST_CASE("lesson 6: what bounds prove is true; what they leave open is counted"
     const Scene scene = resized(read_scene(ROOT "/scenes/mesh-far.toml"), 120, 90);
     Options certified;
     const Image truth = render(scene, certified);
-    News news = learner.draw(rounding, scene, certified);
-    CHECK(news.stand == Stand::drawn);
-    REQUIRE(news.drawing);
-    CHECK(news.drawing->drawn == 120 * 90);
+    PictureUpdate update = learner.draw(rounding, scene, certified);
+    CHECK(update.stand == Stand::drawn);
+    REQUIRE(update.drawing);
+    CHECK(update.drawing->drawn == 120 * 90);
     const auto wrong = [&] {
         int pixels = 0;
         for (std::size_t i = 0; i < truth.pixels.size(); ++i)
-            pixels += news.drawing->states[i] == SheetPixel::drawn && news.drawing->image.pixels[i] != truth.pixels[i];
+            pixels +=
+                update.drawing->states[i] == SheetPixel::drawn && update.drawing->image.pixels[i] != truth.pixels[i];
         return pixels;
     };
     CHECK(wrong() == 0);
-    CHECK(news.drawing->undecided > 0);
-    CHECK(news.drawing->undecided < news.drawing->drawn);
+    CHECK(update.drawing->undecided > 0);
+    CHECK(update.drawing->undecided < update.drawing->drawn);
     // The nearest of the six fills the first quarter of the picture's width in its upper half: nothing is open there.
     for (int y = 0; y < 20; ++y)
-        CHECK(news.drawing->states[static_cast<std::size_t>(120 * y + 20)] == SheetPixel::drawn);
-    CHECK(news.spot == news.drawing->first_undecided);
-    CHECK(news.words.find("undecided: the bounds leave open what is seen there; the first is (") != std::string::npos);
+        CHECK(update.drawing->states[static_cast<std::size_t>(120 * y + 20)] == SheetPixel::drawn);
+    CHECK(update.spot == update.drawing->first_undecided);
+    CHECK(update.words.find("undecided: the bounds leave open what is seen there; the first is (") !=
+          std::string::npos);
 
     // A bound that is far too small "proves" what is not so.
     learner.mistake(rounding, "filter.hpp", "return 9 * u * size;", "return 1e-9 * u * size;");
-    news = learner.draw(rounding, scene, certified);
-    CHECK(news.stand == Stand::drawn);
+    update = learner.draw(rounding, scene, certified);
+    CHECK(update.stand == Stand::drawn);
     CHECK(wrong() > 0);
 }
 
@@ -320,9 +322,10 @@ TEST_CASE("a drawing can be stopped") {
     learner.solve(spheres);
     std::stop_source source;
     source.request_stop();
-    CHECK_THROWS_AS(learner.maker.make(
-                        learner.workspace, spheres, paper(), in_double(2), [](const News&) {}, source.get_token()),
-                    Cancelled);
+    CHECK_THROWS_AS(
+        learner.maker.make(
+            learner.workspace, spheres, paper(), in_double(2), [](const PictureUpdate&) {}, source.get_token()),
+        Cancelled);
 }
 
 TEST_CASE("the lesson where the learner is") {

@@ -11,13 +11,13 @@ namespace {
 /// Ada has passed lesson 1 and written one of two functions of lesson 2; Bo has given up on lesson 1, and his lesson 2
 /// does not compile.
 std::vector<LearnerStanding> two_learners() {
-    LessonStanding passed{.number = 1, .title = "Rays", .verdict = Verdict::passed};
+    LessonStanding passed{.number = 1, .title = "Rays", .grade = Grade::passed};
     passed.functions = {{"dot", "vec3.hpp", State::passed, 2}};
     passed.cases = passed.cases_passed = 3;
     passed.runs = 4;
     passed.mine = passed.ours = Image(2, 2, {0, 255, 0});
 
-    LessonStanding failing{.number = 2, .title = "Spheres", .verdict = Verdict::failing};
+    LessonStanding failing{.number = 2, .title = "Spheres", .grade = Grade::failing};
     failing.functions = {{"nearest", "crossing.hpp", State::passed, 0}, {"normal", "sphere.hpp", State::failing, 1}};
     failing.cases = 10;
     failing.cases_passed = 7;
@@ -31,7 +31,7 @@ std::vector<LearnerStanding> two_learners() {
 
     LessonStanding given_up = passed;
     given_up.gave_up = true;
-    LessonStanding broken{.number = 2, .title = "Spheres", .verdict = Verdict::does_not_compile};
+    LessonStanding broken{.number = 2, .title = "Spheres", .grade = Grade::does_not_compile};
     broken.functions = failing.functions;
     broken.no_picture = "it does not compile";
     return {{"Ada", {passed, failing}}, {"Bo, \"the\" <second>", {given_up, broken}}};
@@ -71,7 +71,7 @@ TEST_CASE("a page says how far pictures differ, and why one is missing") {
 }
 
 TEST_CASE("what waits for a function to be written has not failed") {
-    LessonStanding lesson{.number = 2, .title = "Spheres", .verdict = Verdict::unfinished};
+    LessonStanding lesson{.number = 2, .title = "Spheres", .grade = Grade::unfinished};
     lesson.functions = {{"Textbook", "sphere.hpp", State::not_written}, {"intersect", "sphere.hpp", State::waiting}};
     lesson.functions[1].waits_for = "Textbook<>";
     lesson.cases = 5;

@@ -15,9 +15,9 @@ using namespace glassbox;
 
 namespace {
 
-std::vector<std::byte> exr_of(std::span<const Plane> planes) {
+std::vector<std::byte> exr_of(std::span<const Channel> channels) {
     static const Measurement any{"any", "", "", Scale::sequential, Source::hit, {}, {}, {}};
-    const Measured measured{&any, planes};
+    const Measured measured{&any, channels};
     return exr({&measured, 1});
 }
 
@@ -53,12 +53,12 @@ Loaded load(const std::vector<std::byte>& file) {
 
 }  // namespace
 
-TEST_CASE("channels have the planes' names, in order of name, and their values as floats") {
+TEST_CASE("channels have the channels' names, in order of name, and their values as floats") {
     const float infinity = std::numeric_limits<float>::infinity();
-    const Plane planes[] = {{"normal.z", 3, 2, {0, 0.25, 0.5, 0.75, 1, -1}},
-                            {"depth", 3, 2, {0.1, 1e300, -1e300, 16777217, no_value, 1e-300}},
-                            {"n.l", 3, 2, {1, 2, 3, 4, 5, 6}}};
-    const Loaded loaded = load(exr_of(planes));
+    const Channel channels[] = {{"normal.z", 3, 2, {0, 0.25, 0.5, 0.75, 1, -1}},
+                                {"depth", 3, 2, {0.1, 1e300, -1e300, 16777217, no_value, 1e-300}},
+                                {"n.l", 3, 2, {1, 2, 3, 4, 5, 6}}};
+    const Loaded loaded = load(exr_of(channels));
     CHECK(loaded.width == 3);
     CHECK(loaded.height == 2);
     CHECK(loaded.names == std::vector<std::string>{"depth", "n.l", "normal.z"});
@@ -75,7 +75,7 @@ TEST_CASE("channels have the planes' names, in order of name, and their values a
 
 TEST_CASE("sizes from one pixel to many blocks of lines") {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 50}, {333, 1}, {200, 100}}) {
-        Plane plane{"v", width, height, {}};
+        Channel plane{"v", width, height, {}};
         std::vector<float> expected;
         for (int i = 0; i < width * height; ++i) {
             plane.values.push_back(std::sin(i));
@@ -87,8 +87,8 @@ TEST_CASE("sizes from one pixel to many blocks of lines") {
 
 TEST_CASE("what EXR cannot hold is refused") {
     CHECK_THROWS_AS(exr_of({}), Error);
-    const Plane long_name{std::string(300, 'n'), 1, 1, {1}};
+    const Channel long_name{std::string(300, 'n'), 1, 1, {1}};
     CHECK_THROWS_AS(exr_of({&long_name, 1}), Error);
-    const Plane sizes[] = {{"a", 2, 1, {1, 2}}, {"b", 1, 2, {1, 2}}};
+    const Channel sizes[] = {{"a", 2, 1, {1, 2}}, {"b", 1, 2, {1, 2}}};
     CHECK_THROWS_AS(exr_of(sizes), std::invalid_argument);
 }

@@ -27,12 +27,12 @@ const Measurement sequential_fixed{"value",     "length² |D|²",      explanati
 const Measurement diverging{"value", "", explanation, Scale::diverging, Source::hit, {}, one, {}};
 const Measurement direction{"normal", "", explanation, Scale::direction, Source::hit, std::pair{-1.0, 1.0}, three, {}};
 
-Plane row(std::vector<double> values) {
+Channel row(std::vector<double> values) {
     const int width = static_cast<int>(values.size());
     return {"value", width, 1, std::move(values)};
 }
 
-std::vector<Rgb> colors(const Measurement& what, const Plane& plane) { return colored({&what, {&plane, 1}}).pixels; }
+std::vector<Rgb> colors(const Measurement& what, const Channel& plane) { return colored({&what, {&plane, 1}}).pixels; }
 
 /// Whether the picture, each pixel enlarged, is part of the sheet.
 bool contains(const Image& sheet, const Image& picture, int factor) {
@@ -104,13 +104,13 @@ TEST_CASE("the largest and the smallest doubles have a scale, too") {
 }
 
 TEST_CASE("a direction is a colour; without one component it is none") {
-    const Plane planes[] = {row({1, 0, 0}), row({0, -1, no_value}), row({0, 0, 1})};
-    CHECK(colored({&direction, planes}).pixels == std::vector<Rgb>{{255, 128, 128}, {128, 0, 128}, no_value_color});
+    const Channel channels[] = {row({1, 0, 0}), row({0, -1, no_value}), row({0, 0, 1})};
+    CHECK(colored({&direction, channels}).pixels == std::vector<Rgb>{{255, 128, 128}, {128, 0, 128}, no_value_color});
 }
 
 TEST_CASE("the sheet has the plane in it, pixel for pixel, or in whole multiples") {
     for (const auto& [width, height, factor] : {std::tuple{210, 30, 1}, {100, 40, 2}, {3, 2, 67}}) {
-        Plane plane{"value", width, height, {}};
+        Channel plane{"value", width, height, {}};
         for (int i = 0; i < width * height; ++i) plane.values.push_back(std::sin(i));
         const Measured measured{&sequential, {&plane, 1}};
         CHECK(contains(heat_map({&measured, 1}), colored(measured), factor));
@@ -132,21 +132,21 @@ TEST_CASE("whatever the size and the values, nothing reaches the edge") {
                                 {0, 123456789, 999999999}};
     for (const auto& [width, height] : {std::pair{1, 1}, {3, 1}, {20, 500}, {500, 20}, {1500, 40}})
         for (const auto& triple : values) {
-            Plane plane{"value", width, height, {}};
+            Channel plane{"value", width, height, {}};
             for (int i = 0; i < width * height; ++i) plane.values.push_back(triple[i % 3]);
             CAPTURE(plane.width);
             CAPTURE(triple[0]);
             CAPTURE(triple[2]);
-            const std::vector<Plane> same(3, plane);
+            const std::vector<Channel> same(3, plane);
             for (const Measurement* what : {&sequential, &sequential_fixed, &diverging, &direction}) {
-                const Measured measured{what, std::span(same).first(what->planes.size())};
+                const Measured measured{what, std::span(same).first(what->channels.size())};
                 CHECK(has_margin(heat_map({&measured, 1})));
             }
         }
 }
 
 TEST_CASE("several stand side by side, about in a square, without empty places if possible") {
-    const Plane plane{"value", 300, 200, std::vector<double>(60000, 1)};
+    const Channel plane{"value", 300, 200, std::vector<double>(60000, 1)};
     const Measured measured{&sequential, {&plane, 1}};
     const Image single = heat_map({&measured, 1});
     for (const std::size_t count : {2u, 4u, 6u, 12u}) {
@@ -158,8 +158,8 @@ TEST_CASE("several stand side by side, about in a square, without empty places i
     }
 }
 
-TEST_CASE("the same planes make the same sheet, and no planes an empty one") {
-    const Plane plane = row({1, 2, 3});
+TEST_CASE("the same channels make the same sheet, and no channels an empty one") {
+    const Channel plane = row({1, 2, 3});
     const Measured measured{&sequential, {&plane, 1}};
     CHECK(heat_map({&measured, 1}).pixels == heat_map({&measured, 1}).pixels);
     CHECK(has_margin(heat_map({})));

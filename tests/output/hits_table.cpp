@@ -37,7 +37,7 @@ TEST_CASE("t_error is not below the bound, read as a decimal or as a double, and
     std::mt19937_64 random(1207);
     std::vector<Shot> shots(3000);
     for (Shot& shot : shots) {
-        shot.verdict = Shot::Verdict::hit;
+        shot.answer = Shot::Answer::hit;
         const double mantissa = static_cast<double>(random() >> 11);
         shot.t_error = std::ldexp(mantissa, -static_cast<int>(random() % 300));
     }

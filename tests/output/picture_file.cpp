@@ -106,7 +106,7 @@ TEST_CASE("measurements are written in every format") {
     const Folder folder;
     static constexpr std::string_view names[] = {"depth"};
     const Measurement what{"depth", "|D|", "t of the nearest surface", Scale::sequential, Source::hit, {}, names, {}};
-    const Plane plane{"depth", 2, 1, {1.5, no_value}};
+    const Channel plane{"depth", 2, 1, {1.5, no_value}};
     const Measured measured{&what, {&plane, 1}};
     for (const std::string name : {"m.csv", "m.png", "m.ppm", "m.exr"})
         write_measurements(folder / name, {&measured, 1});

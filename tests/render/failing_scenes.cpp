@@ -50,9 +50,9 @@ struct Measured {
 
     Measured(const Scene& scene, const Options& options) : width(scene.width), height(scene.height) {
         const Measurement* const wanted[] = {find_measurement("verdict"), find_measurement("hits")};
-        auto planes = measure(scene, options, wanted);
-        verdict = std::move(planes[0][0].values);
-        hits = std::move(planes[1][0].values);
+        auto channels = measure(scene, options, wanted);
+        verdict = std::move(channels[0][0].values);
+        hits = std::move(channels[1][0].values);
         REQUIRE(verdict.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     }
 
@@ -197,11 +197,11 @@ TEST_CASE("turned-36: the rays drift, and what they meet is still told right") {
     const Scene scene = resized(read("turned-36"), 100, 100);
     const Options options = once_around(with(Scalar::certified));
     const Measurement* const wanted[] = {find_measurement("drift"), find_measurement("verdict")};
-    const auto planes = measure(scene, options, wanted);
+    const auto channels = measure(scene, options, wanted);
     // Starts are (500, y, z) with 0 ≤ y, z < 500. A turn mixes x and y, at most 708 in size, by two products and a sum,
     // with a sine and a cosine that are rounded, too; the corner and the step from pixel to pixel are turned, each:
     // under 8 roundings of 708 · 2^-53 a turn. About z nothing happens to z, and a row drifts alike whatever its z is.
-    const std::vector<double>& drift = planes[0][0].values;
+    const std::vector<double>& drift = channels[0][0].values;
     const double greatest = *std::max_element(drift.begin(), drift.end());
     CHECK(greatest > 0);
     CHECK(greatest < 36 * 8 * 708 * 0x1p-53);
@@ -209,5 +209,5 @@ TEST_CASE("turned-36: the rays drift, and what they meet is still told right") {
     for (std::size_t i = 0; i < drift.size(); ++i) unlike_the_first_row += drift[i] != drift[i % 100];
     CHECK(unlike_the_first_row == 0);
     // The verdict is about the rays that there are.
-    CHECK(std::all_of(planes[1][0].values.begin(), planes[1][0].values.end(), is(0)));
+    CHECK(std::all_of(channels[1][0].values.begin(), channels[1][0].values.end(), is(0)));
 }

@@ -119,7 +119,7 @@ TEST_CASE("that rule has only the plain loop: the engine is not asked, nor does 
     const Scene scene = drawn_as(figures[4]);
     Options options = by(Levental2014{});
     const Image plain = render(scene, options);
-    options.engine = Engine::fast;
+    options.engine = EngineChoice::fast;
     CHECK(render(scene, options).pixels == plain.pixels);
 }
 

@@ -16,8 +16,8 @@ constexpr Rgb green{0, 255, 0}, red{255, 0, 0}, blue{0, 0, 255};
 /// The measurement's value at a pixel.
 double measured(const Scene& scene, const Options& options, const char* what, int x = 0, int y = 0) {
     const Measurement* const wanted[] = {find_measurement(what)};
-    const std::vector<std::vector<Plane>> planes = measure(scene, options, wanted, {});
-    return planes[0][0].values[static_cast<std::size_t>(y * scene.width + x)];
+    const std::vector<std::vector<Channel>> channels = measure(scene, options, wanted, {});
+    return channels[0][0].values[static_cast<std::size_t>(y * scene.width + x)];
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ TEST_CASE("what lies before a triangle whose weights are hardly above their boun
                          {-1e7, 11048576, -8601898.703125004},
                          {-1e7, 1048576, 11398101.296874996}},
                         blue}};
-    for (const Engine engine : {Engine::plain, Engine::fast}) {
+    for (const EngineChoice engine : {EngineChoice::plain, EngineChoice::fast}) {
         Options options;
         options.engine = engine;
         options.stage = 3;
@@ -68,7 +68,7 @@ TEST_CASE("a sphere whose squares underflow is seen where it is") {
     for (const double size : {3e-161, 3e-154, 3e-163, 0x1p-540, 0x1p-1060}) {
         CAPTURE(size);
         scene.spheres = {{{-size, 0, 0}, size / 2, green}};
-        for (const Engine engine : {Engine::plain, Engine::fast}) {
+        for (const EngineChoice engine : {EngineChoice::plain, EngineChoice::fast}) {
             Options options;
             options.engine = engine;
             options.stage = 3;

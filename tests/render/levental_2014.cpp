@@ -40,9 +40,9 @@ private:
 /// How many pixels have each verdict: right, wrong hit, wrong miss, wrong surface.
 std::array<std::size_t, 4> verdicts(const Scene& scene, const Options& options) {
     const Measurement* const wanted = find_measurement("verdict");
-    const auto planes = measure(scene, options, {&wanted, 1});
+    const auto channels = measure(scene, options, {&wanted, 1});
     std::array<std::size_t, 4> counts{};
-    for (const double value : planes[0][0].values) ++counts.at(static_cast<std::size_t>(value));
+    for (const double value : channels[0][0].values) ++counts.at(static_cast<std::size_t>(value));
     return counts;
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("proven, it is the rule's own verdict, at every scale: whole numbers t
                 for (std::size_t n = 0; n < rays.size(); ++n) {
                     CAPTURE(n);
                     CHECK(shots[n].hits == expected[n]);
-                    CHECK((shots[n].verdict == Shot::Verdict::hit) == (expected[n] > 0));
+                    CHECK((shots[n].answer == Shot::Answer::hit) == (expected[n] > 0));
                 }
             }
         }
@@ -111,7 +111,7 @@ TEST_CASE("proven, it finds the nearest of what it meets, with a bound on t") {
     const Ray<double> ray{{-10, 3, 0}, {2, 0, 0}};
     for (const Scalar scalar : {Scalar::certified, Scalar::exact}) {
         const Shot shot = shoot(scene, published(scalar), {&ray, 1}).at(0);
-        CHECK(shot.verdict == Shot::Verdict::hit);
+        CHECK(shot.answer == Shot::Answer::hit);
         CHECK(shot.surface == 0);
         CHECK(shot.hits == 2);  // and the last, farther away
         CHECK(std::abs(static_cast<double>(shot.t) - 3) <= shot.t_error);
@@ -125,7 +125,7 @@ TEST_CASE("proven, a hair tells a touch from a hit") {
     scene.spheres = {{{0, 0, 0}, 1.25, {}}};
     const auto met = [&](double y) {
         const Ray<double> ray{{-1e9, y, 0}, {1, 0, 0}};
-        return shoot(scene, published(Scalar::certified), {&ray, 1}).at(0).verdict == Shot::Verdict::hit;
+        return shoot(scene, published(Scalar::certified), {&ray, 1}).at(0).answer == Shot::Answer::hit;
     };
     CHECK_FALSE(met(1.25));
     CHECK_FALSE(met(-1.25));

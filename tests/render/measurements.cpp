@@ -23,9 +23,9 @@ namespace {
 std::vector<double> measured(const Scene& scene, const char* name, int x, int y, const Options& options = {}) {
     const Measurement* const wanted = find_measurement(name);
     REQUIRE(wanted != nullptr);
-    const auto planes = measure(scene, options, {&wanted, 1});
+    const auto channels = measure(scene, options, {&wanted, 1});
     std::vector<double> values;
-    for (const Plane& plane : planes[0])
+    for (const Channel& plane : channels[0])
         values.push_back(plane.values[static_cast<std::size_t>(y) * 500 + static_cast<std::size_t>(x)]);
     return values;
 }
@@ -113,8 +113,8 @@ Scene unit_triangle() {
 
 std::size_t pixels_with(double wanted_value, const Scene& scene, const char* name, const Options& options) {
     const Measurement* const wanted = find_measurement(name);
-    const auto planes = measure(scene, options, {&wanted, 1});
-    const auto& values = planes[0][0].values;
+    const auto channels = measure(scene, options, {&wanted, 1});
+    const auto& values = channels[0][0].values;
     return static_cast<std::size_t>(std::count(values.begin(), values.end(), wanted_value));
 }
 
@@ -311,8 +311,8 @@ TEST_CASE("margin and verdict of a picture in float, of coordinates k · 2^-76")
         scene.view = ParallelView{{-4 * unit, -4 * unit, 4 * unit}, {unit, 0, 0}, {0, unit, 0}, {0, 0, -1}};
         const Vec3<double> A = corner(), B = corner(), C = corner();
         scene.triangles = {{{A, B, C}, {1, 2, 3}}};
-        const auto planes = measure(scene, options, wanted);
-        const std::vector<double>&verdict = planes[0][0].values, &margin = planes[1][0].values;
+        const auto channels = measure(scene, options, wanted);
+        const std::vector<double>&verdict = channels[0][0].values, &margin = channels[1][0].values;
         for (std::size_t pixel = 0; pixel < verdict.size(); ++pixel) {
             if (verdict[pixel] == 0) continue;
             ++wrong;
@@ -348,11 +348,11 @@ TEST_CASE("bits-lost of the largest numbers") {
     CHECK(bits_lost(std::nextafter(std::ldexp(1.0L, 2000), HUGE_VALL), large) == 1);
 }
 
-TEST_CASE("every measurement has a name, an explanation and its planes' names") {
+TEST_CASE("every measurement has a name, an explanation and its channels' names") {
     for (const Measurement& each : measurements()) {
         CHECK(find_measurement(each.name) == &each);
         CHECK_FALSE(each.explanation.empty());
-        CHECK((each.planes.size() == 1 || each.planes.size() == 3));
+        CHECK((each.channels.size() == 1 || each.channels.size() == 3));
     }
     CHECK(find_measurement("dept") == nullptr);
 }

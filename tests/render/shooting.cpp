@@ -33,7 +33,7 @@ Shot shot(const Ray<double>& ray, const Options& options = {}) {
 
 TEST_CASE("surfaces are numbered spheres first, then triangles, then mesh faces") {
     const Shot all = shot({{0.25, 0.5, 10}, {0, 0, -1}});
-    CHECK(all.verdict == Shot::Verdict::hit);
+    CHECK(all.answer == Shot::Answer::hit);
     CHECK(all.surface == 0);
     CHECK(all.hits == 3);  // sphere, triangle, and the face 0,2,3 that lies where y > x
     CHECK(shot({{1.5, 1, 10}, {0, 0, -1}}).surface == 1);
@@ -46,8 +46,8 @@ TEST_CASE("t counts in units of |D|; a surface behind the start, or at it, is no
     CHECK(twice.surface == 1);
     CHECK(static_cast<double>(twice.t) == 3);      // from z = 1 to −5 in steps of 2
     CHECK(shot({{0, 0, 0}, {0, 0, 0.5}}).t == 2);  // from inside: the far root, 1 away in steps of 0.5
-    CHECK(shot({{1.5, 1, -7}, {0, 0, -1}}).verdict == Shot::Verdict::miss);
-    CHECK(shot({{1.5, 1, -8}, {0, 0, -1}}).verdict == Shot::Verdict::miss);
+    CHECK(shot({{1.5, 1, -7}, {0, 0, -1}}).answer == Shot::Answer::miss);
+    CHECK(shot({{1.5, 1, -8}, {0, 0, -1}}).answer == Shot::Answer::miss);
     CHECK(shot({{1, 0, 3}, {0, 0, -1}}).t == 3);  // tangent: it touches the sphere in (1, 0, 0)
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("a ray that is no ray is invalid, never a hit, never a crash") {
         for (const Scalar scalar : {Scalar::float_, Scalar::double_, Scalar::long_double}) {
             Options options;
             options.scalar = scalar;
-            CHECK(shot(ray, options).verdict == Shot::Verdict::invalid);
+            CHECK(shot(ray, options).answer == Shot::Answer::invalid);
             CHECK(shot(ray, options).hits == 0);
         }
     }

@@ -22,7 +22,7 @@ Scene ball(Rgb color) {
     Scene scene;
     scene.width = scene.height = 1;
     scene.view = ParallelView{{10, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
-    scene.light_position = {1, 0, 0};
+    scene.light_vector = {1, 0, 0};
     scene.spheres = {{{0, 0, 0}, 1, color}};
     return scene;
 }
@@ -68,7 +68,7 @@ TEST_CASE("ambient light beyond the scalar's range keeps its colour") {
 
 TEST_CASE("no light falls on what is turned away from it, however bright") {
     Scene scene = ball({0, 255, 0});
-    scene.light_position = {-1, 0, 0};  // behind the ball: n·l = -1, and n·h or r·m is not above 0
+    scene.light_vector = {-1, 0, 0};  // behind the ball: n·l = -1, and n·h or r·m is not above 0
     scene.light_intensity = 1.7e308;
     scene.shading.k_d = scene.shading.k_s = 1.7e308;
     scene.shading.k_a = 0.2;
@@ -101,7 +101,7 @@ TEST_CASE("of the light's position only the direction counts, in float, too") {
     scene.shading.k_a = scene.shading.k_s = 0;
     // n·l = 3/sqrt(9 + 1 + 4) = 0.8018, times 200: 160.4
     for (const double size : {1e-150, 1e-30, 1e-19, 1., 1e19, 1e30, 1e149}) {
-        scene.light_position = {3 * size, size, 2 * size};
+        scene.light_vector = {3 * size, size, 2 * size};
         check_everywhere(scene, {0, 160, 0});
     }
 }

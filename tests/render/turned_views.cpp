@@ -35,7 +35,7 @@ Scene turned_back(Scene scene, const std::vector<Turn<double>>& turns) {
     for (ColoredSphere& sphere : scene.spheres) sphere.center = back(sphere.center, scene.pivot);
     for (ColoredTriangle& triangle : scene.triangles)
         for (Point& vertex : triangle.vertices) vertex = back(vertex, scene.pivot);
-    scene.light_position = back(scene.light_position, {});
+    scene.light_vector = back(scene.light_vector, {});
     return scene;
 }
 
@@ -120,8 +120,8 @@ TEST_CASE("accumulated turns agree with rebuilt ones to within the drift, and on
     CHECK(drift > 0);
     CHECK(drift < 36 * 8 * 707 * 0x1p-52);
     const Measurement* const what = find_measurement("drift");
-    const auto planes = measure(scene, accumulated, std::span(&what, 1));
-    CHECK(planes[0][0].values[499] == drift);  // pixel (499, 0)
+    const auto channels = measure(scene, accumulated, std::span(&what, 1));
+    CHECK(channels[0][0].values[499] == drift);  // pixel (499, 0)
 }
 
 TEST_CASE("quarter turns lose nothing, one by one or all at once") {

@@ -37,7 +37,7 @@ Reasons said(const Scene& scene, const Options& options, const std::vector<const
     Reasons reasons;
     const auto all = measure(scene, options, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        for (const Plane& plane : all[i]) {
+        for (const Channel& plane : all[i]) {
             const bool any = std::ranges::any_of(plane.values, [](double value) { return !std::isnan(value); });
             CHECK(any == plane.why_no_value.empty());
         }
@@ -78,7 +78,7 @@ std::string expected(std::string_view what, Has has, const Options& options, Sha
                                                                                   : 2;
     if (options.stage < stage) return "from stage " + std::to_string(stage);
     if (is({"nodes", "boxes-missed"})) {
-        if (options.engine == Engine::plain) return "the plain loop has no boxes";
+        if (options.engine == EngineChoice::plain) return "the plain loop has no boxes";
         if (std::holds_alternative<Tolerance>(options.triangle_rule))
             return "boxes are the fast engine's, and tolerance hits triangles where they are not";
         if (!certified) return "boxes are the fast engine's, and that answers certified";
@@ -106,7 +106,7 @@ TEST_CASE("every measurement × scalar × rule × stage × engine: a value, or t
                 for (const TriangleRule& triangle :
                      {TriangleRule(Pluecker{}), TriangleRule(Tolerance{}), TriangleRule(MoellerTrumbore{})})
                     for (const SphereRule& sphere : {SphereRule(Stable{}), SphereRule(Textbook{})})
-                        for (const Engine engine : {Engine::automatic, Engine::plain})
+                        for (const EngineChoice engine : {EngineChoice::automatic, EngineChoice::plain})
                             for (int stage = 1; stage <= 5; ++stage) {
                                 Options options;
                                 options.stage = stage;
@@ -185,7 +185,7 @@ TEST_CASE("rays that are none, rays that no boxes are for, and surfaces that box
 
     scene = scene_with(Has::only_missed);
     Options fast;
-    fast.engine = Engine::fast;
+    fast.engine = EngineChoice::fast;
     CHECK(said(scene, fast, "discriminant") == "no sphere was tested");
     CHECK(said(scene, fast, "margin") == "no triangle was tested");
     CHECK(said(scene, fast, "nodes").empty());

@@ -29,7 +29,7 @@ TEST_CASE("An empty file is the paper's view of nothing") {
     CHECK(view.up == Vec3<double>{0, 0, 1});
     CHECK(view.direction == Vec3<double>{-1, 0, 0});
     CHECK(scene.pivot == Vec3<double>{0, 0, 0});
-    CHECK(scene.light_position == Vec3<double>{1000, 250, 250});
+    CHECK(scene.light_vector == Vec3<double>{1000, 250, 250});
     CHECK(scene.light_intensity == 1);
     CHECK(scene.shading.model == ShadingModel::blinn_phong);
     CHECK(scene.shading.k_a == 0.2);
@@ -92,7 +92,7 @@ color = [0, 128, 255]
     CHECK(view.up == Vec3<double>{0, 0, 0.25});
     CHECK(view.direction == Vec3<double>{-2, 0, 0});
     CHECK(scene.pivot == Vec3<double>{7, 8, 9});
-    CHECK(scene.light_position == Vec3<double>{0, 0, 3});
+    CHECK(scene.light_vector == Vec3<double>{0, 0, 3});
     CHECK(scene.light_intensity == 0.5);
     CHECK(scene.shading.model == ShadingModel::phong);
     CHECK(scene.shading.k_a == 0.125);

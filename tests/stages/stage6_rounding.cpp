@@ -86,7 +86,7 @@ double sides_size(const Ray<double>& ray, const Triangle<double>& triangle) {
 
 /// What a filter for just this ray says.
 double error_for(const Ray<double>& ray, const Triangle<double>& triangle) {
-    return filter::sides_error(triangle, reaching(Reach{}, ray));
+    return filter::sides_error(triangle, including(RayBounds{}, ray));
 }
 
 Vec3<double> whole_vector(Dice& dice, double size) {
@@ -296,7 +296,7 @@ TEST_CASE("one bound serves all rays within reach") {
     const Triangle<double> triangle{whole_vector(dice, 0x1p40), whole_vector(dice, 0x1p40), whole_vector(dice, 0x1p40)};
     const double coordinate = 0x1p40;
     const Vec3<double> corner{coordinate, coordinate, coordinate};
-    const double error = filter::sides_error(triangle, Reach{corner, corner});
+    const double error = filter::sides_error(triangle, RayBounds{corner, corner});
     for (int n = 0; n < 200; ++n) {
         const Ray<double> ray{whole_vector(dice, coordinate), whole_vector(dice, coordinate)};
         CHECK_AT_LEAST(error, sides_off(ray, triangle));

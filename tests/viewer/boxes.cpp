@@ -11,11 +11,11 @@
 #include "../certified/cases.hpp"
 #include "cli/program.hpp"
 #include "render/job.hpp"
+#include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
-#include "render/measure/plane.hpp"
 #include "render/render.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/certified_search.hpp"
-#include "render/search/ready.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
 #include "viewer/hidden_viewer.hpp"
@@ -28,7 +28,7 @@ namespace {
 
 const std::filesystem::path scenes = SCENES;
 
-BoxLevels levels_of(const Scene& scene, int stage = 5) { return box_levels(ready(scene, stage, 1)); }
+BoxLevels levels_of(const Scene& scene, int stage = 5) { return box_levels(build_engine(scene, stage, 1)); }
 
 /// All boxes of a level, no sample.
 std::vector<BoxInSpace> all_on(const BoxLevels& levels, int level) {
@@ -239,14 +239,14 @@ TEST_CASE("the ray's boxes are all those above the surfaces that it meets; the s
     const auto up = ways_up(*levels.engine);
     test::Rays random(11);
     std::vector<Ray<double>> rays;
-    Reach reach;
+    RayBounds reach;
     for (int i = 0; i < 200; ++i) {
         // Through the middle of a triangle, so that there is something to meet.
         const auto& corners = scene.triangles[static_cast<std::size_t>(i)].vertices;
         const Vec3<double> target = (corners[0] + corners[1] + corners[2]) / 3;
         const Vec3<double> start = target + 60.0 * random.anywhere();
         rays.push_back({start, target - start});
-        reach = reaching(reach, rays.back());
+        reach = including(reach, rays.back());
     }
     const CertifiedSearch plain(surfaces<double>(scene, 5), {}, {}, reach, false);
     std::size_t met_in_all = 0, skipped = 0;
@@ -280,9 +280,9 @@ TEST_CASE("the nodes opened are those that `measure --what nodes` counts") {
     const Scene scene = resized(read_scene(scenes / "room.toml"), 24, 18);
     const BoxLevels levels = levels_of(scene);
     Options options;
-    options.engine = Engine::fast;
+    options.engine = EngineChoice::fast;
     const Measurement* const nodes = find_measurement("nodes");
-    const Plane plane = measure(scene, options, std::span(&nodes, 1), Job{}).front().front();
+    const Channel plane = measure(scene, options, std::span(&nodes, 1), Job{}).front().front();
     double most = 0;
     for (int y = 0; y < scene.height; ++y)
         for (int x = 0; x < scene.width; ++x) {

@@ -66,7 +66,7 @@ TEST_CASE("each change comes back through the command line") {
                      setup.shading.specular_color};
     check_same(setup, on_the_green_sphere);
     setup = own;
-    setup.light_position = {-1e-3, 1.0 / 3, 1e20};
+    setup.light_vector = {-1e-3, 1.0 / 3, 1e20};
     setup.light_intensity = 0.1;
     check_same(setup, on_the_green_sphere);
     setup = with_figure(own, figures[2]);

@@ -19,12 +19,12 @@ const Measurement sequential{"value", "", "", Scale::sequential, Source::hit, {}
 const Measurement diverging{"value", "", "", Scale::diverging, Source::hit, {}, one, {}};
 const Measurement cosine{"value", "", "", Scale::diverging, Source::hit, std::pair{-1.0, 1.0}, one, {}};
 
-Plane row(std::vector<double> values) {
+Channel row(std::vector<double> values) {
     const int width = static_cast<int>(values.size());
     return {"value", width, 1, std::move(values)};
 }
 
-Histogram in_bins(const Plane& plane, const Coloring& coloring, int most) {
+Histogram in_bins(const Channel& plane, const Coloring& coloring, int most) {
     return histogram(plane, summarized(plane), coloring, most);
 }
 
@@ -43,7 +43,7 @@ std::int64_t counted(const Histogram& histogram) {
 
 TEST_CASE("a bin has its lower end and not its upper one; the last has both") {
     // Four bins from 0 to 2: [0, 0.5), [0.5, 1), [1, 1.5), [1.5, 2].
-    const Plane plane = row({0, 0.25, 0.5, 0.75, 0.999, 1.5, 2});
+    const Channel plane = row({0, 0.25, 0.5, 0.75, 0.999, 1.5, 2});
     const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 4);
     CHECK(counts(found) == std::vector<std::int64_t>{2, 3, 0, 2});
     CHECK(found.most == 3);
@@ -53,7 +53,7 @@ TEST_CASE("a bin has its lower end and not its upper one; the last has both") {
 }
 
 TEST_CASE("a few whole numbers have a bin each") {
-    const Plane plane = row({0, 3, 3, 1});
+    const Channel plane = row({0, 3, 3, 1});
     const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 64);
     CHECK(found.whole);
     CHECK(counts(found) == std::vector<std::int64_t>{1, 1, 0, 2});
@@ -64,7 +64,7 @@ TEST_CASE("many whole numbers share bins, and each bin has equally many of them"
     // 0 to 9 in at most 4 bins: ceil(10 / 4) = 3 each, and one is left for the last: 0-2, 3-5, 6-8, 9.
     std::vector<double> values(10);
     std::iota(values.begin(), values.end(), 0);
-    const Plane plane = row(values);
+    const Channel plane = row(values);
     const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 4);
     CHECK(counts(found) == std::vector<std::int64_t>{3, 3, 3, 1});
     CHECK(found.bins.back().from == 9);
@@ -72,7 +72,7 @@ TEST_CASE("many whole numbers share bins, and each bin has equally many of them"
 }
 
 TEST_CASE("what is not finite is in no bin") {
-    const Plane plane = row({no_value, infinity, -infinity, 0.5, 1.5});
+    const Channel plane = row({no_value, infinity, -infinity, 0.5, 1.5});
     const Distribution found = distribution(sequential, plane, {});
     CHECK(counted(found.histogram) == 2);
     CHECK_FALSE(found.histogram.bin_of(no_value));
@@ -82,7 +82,7 @@ TEST_CASE("what is not finite is in no bin") {
 }
 
 TEST_CASE("without a finite value there are no bins") {
-    const Plane plane = row({no_value, infinity});
+    const Channel plane = row({no_value, infinity});
     const Distribution found = distribution(sequential, plane, {});
     CHECK(found.histogram.bins.empty());
     CHECK_FALSE(found.histogram.bin_of(0));
@@ -90,7 +90,7 @@ TEST_CASE("without a finite value there are no bins") {
 
 TEST_CASE("one value has one bin, whatever it is") {
     for (const double value : {0.5, 0.0, 7.0, -1e300, 5e-324}) {
-        const Plane plane = row({value, value});
+        const Channel plane = row({value, value});
         const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 64);
         CHECK(counts(found) == std::vector<std::int64_t>{2});
     }
@@ -102,7 +102,7 @@ TEST_CASE("every finite value is in a bin that holds it, from the smallest to th
                                               {0., least, 2 * least},
                                               {1., std::nextafter(1., 2.)},
                                               {.1, .2, .3}}) {
-        const Plane plane = row(values);
+        const Channel plane = row(values);
         const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 64);
         CHECK(counted(found) == static_cast<std::int64_t>(values.size()));
         for (const double value : values) {
@@ -115,7 +115,7 @@ TEST_CASE("every finite value is in a bin that holds it, from the smallest to th
 }
 
 TEST_CASE("a range that was set cuts: what lies outside is counted and has a colour of its own") {
-    const Plane plane = row({0, 1, 2.5, 4, 9, 9, infinity, no_value});
+    const Channel plane = row({0, 1, 2.5, 4, 9, 9, infinity, no_value});
     const Distribution found = distribution(sequential, plane, std::pair{1.0, 4.0});
     CHECK(found.outside.below == 1);  // 0
     CHECK(found.outside.above == 2);  // 9 and 9; ∞ is counted by itself
@@ -132,7 +132,7 @@ TEST_CASE("a range that was set cuts: what lies outside is counted and has a col
 }
 
 TEST_CASE("0 keeps the middle of a map for both signs when the range that was set has it") {
-    const Plane plane = row({-3.5, 0, 3.5});
+    const Channel plane = row({-3.5, 0, 3.5});
     const Coloring found = coloring_of(diverging, summarized(plane), std::pair{-1.0, 3.0});
     CHECK(found(0) == diverging_colors()(0.5));
     CHECK(found(-1) == diverging_colors()(1.0 / 3));  // on a scale from -3 to 3
@@ -143,7 +143,7 @@ TEST_CASE("0 keeps the middle of a map for both signs when the range that was se
 }
 
 TEST_CASE("a range that was set comes before a measurement's own") {
-    const Plane plane = row({-0.5, 0.25});
+    const Channel plane = row({-0.5, 0.25});
     const Coloring found = coloring_of(cosine, summarized(plane), std::pair{0.0, 0.5});
     CHECK(found.limits() == std::pair{0.0, 0.5});
     CHECK(found(-0.5) == below_color);

@@ -11,12 +11,12 @@
 namespace glassbox {
 
 /// The largest absolute values, axis by axis, of the starts and directions of the rays that are to come.
-struct Reach {
+struct RayBounds {
     Vec3<double> P, D;
 };
 
 /// The reach of those rays and one more.
-inline Reach reaching(const Reach& reach, const Ray<double>& ray) {
+inline RayBounds including(const RayBounds& reach, const Ray<double>& ray) {
     const auto larger = [](const Vec3<double>& a, const Vec3<double>& b) {
         return Vec3<double>{std::max(a.x, std::abs(b.x)), std::max(a.y, std::abs(b.y)), std::max(a.z, std::abs(b.z))};
     };
@@ -40,14 +40,14 @@ inline double greatest(const Vec3<double>& v) { return std::max({std::abs(v.x), 
 /// Of the three side products. With a = A − P, b = B − P, s = D·(b × a), and S the same sum over absolute values, every
 /// term has been rounded at most seven times, so |ŝ − s| ≤ 7u S + O(u²) < 8u S; and S is largest where all
 /// coordinates are: at |A| + |P|, |D|.
-inline double sides_error(const Triangle<double>& triangle, const Reach& reach) {
+inline double sides_error(const Triangle<double>& triangle, const RayBounds& reach) {
     return not_written<double>("sides_error");
 }
 
 /// Of the discriminant (v·D)² − D²(v² − r²), by either rule. Rounding v, v·D, v·v and D·D relatively, each by a few u,
 /// moves it by at most 32u D²(|v|² + r²) + O(u²): in Textbook 20u, in Stable, where l = f + (b/a)d is off by 11u|f|,
 /// 32u.
-inline double discriminant_error(const Sphere<double>& sphere, const Reach& reach) {
+inline double discriminant_error(const Sphere<double>& sphere, const RayBounds& reach) {
     const auto [cx, cy, cz] = sphere.c;
     const Vec3<double> v{std::abs(cx) + reach.P.x, std::abs(cy) + reach.P.y, std::abs(cz) + reach.P.z};
     const double D2 = dot(reach.D, reach.D), v2 = dot(v, v), r2 = sphere.r * sphere.r;
@@ -57,7 +57,7 @@ inline double discriminant_error(const Sphere<double>& sphere, const Reach& reac
 
 /// Of D·A, A seen from the ray's start: how far ahead a vertex is, in units of length |D|. Every term has been rounded
 /// at most four times.
-inline double distance_error(const Triangle<double>& triangle, const Reach& reach) {
+inline double distance_error(const Triangle<double>& triangle, const RayBounds& reach) {
     const auto& [A, B, C] = seen_from(convert<Magnitude>(reach.P), convert<Magnitude>(triangle));
     const Vec3<Magnitude> D = convert<Magnitude>(reach.D);
     const double size = std::max({dot(D, A).size, dot(D, B).size, dot(D, C).size});
@@ -66,7 +66,7 @@ inline double distance_error(const Triangle<double>& triangle, const Reach& reac
 }
 
 /// Of v² − r², which says whether the ray starts outside the sphere: 6u(|v|² + r²) + O(u²).
-inline double power_error(const Sphere<double>& sphere, const Reach& reach) {
+inline double power_error(const Sphere<double>& sphere, const RayBounds& reach) {
     const Vec3<Magnitude> v = convert<Magnitude>(reach.P) - convert<Magnitude>(sphere.c);
     if (!is_ordinary(greatest(reach.P) + greatest(sphere.c)) || !is_ordinary(sphere.r)) return never;
     return 8 * u * (dot(v, v).size + sphere.r * sphere.r);
@@ -82,11 +82,11 @@ struct TriangleErrors {
     double side = never, distance = never;
 };
 
-inline SphereErrors errors(const Sphere<double>& sphere, const Reach& reach) {
+inline SphereErrors errors(const Sphere<double>& sphere, const RayBounds& reach) {
     return {discriminant_error(sphere, reach), power_error(sphere, reach)};
 }
 
-inline TriangleErrors errors(const Triangle<double>& triangle, const Reach& reach) {
+inline TriangleErrors errors(const Triangle<double>& triangle, const RayBounds& reach) {
     return {sides_error(triangle, reach), distance_error(triangle, reach)};
 }
 

@@ -127,7 +127,7 @@ std::string line_of(const fs::path& file, std::size_t number) {
 /// Of a compilation that ended without an error message: the compiler itself came to an end.
 CompileError of_the_compiler_itself(const Outcome& outcome) {
     CompileError error;
-    error.message = "the compiler: " + in_words(outcome);
+    error.message = "the compiler: " + how_it_ended(outcome);
     switch (outcome.end) {
         case End::deadline:
             error.plain =
@@ -167,7 +167,7 @@ constexpr std::array hindrances{
     Hindrance{"Read-only file system", other_places},
     Hindrance{"Input/output error", "look at that disk"},
     Hindrance{"Permission denied", other_places, true},
-    Hindrance{"Operation not permitted", other_places, true},
+    Hindrance{"OperatorInSource not permitted", other_places, true},
     Hindrance{"Too many open files", "close other programs", true},
 };
 
@@ -212,8 +212,8 @@ std::size_t length_of_operand(std::string_view text, bool backwards) {
 }
 
 /// The operation whose operator stands where the error is.
-Operation operation_at(const CompileError& error) {
-    Operation operation;
+OperatorInSource operation_at(const CompileError& error) {
+    OperatorInSource operation;
     const std::size_t at = error.place.column - 1;
     const std::string_view source = error.source;
     if (error.place.column == 0 || at >= source.size() ||
@@ -387,7 +387,7 @@ std::optional<CompileError> link_error(const Outcome& linking) {
         error.message = twice.substr(twice.find("multiple definition of "));
         error.plain = "Two things have this name: rename yours.";
     } else {
-        error.message = "the linker: " + in_words(linking);
+        error.message = "the linker: " + how_it_ended(linking);
     }
     return error;
 }
@@ -411,7 +411,7 @@ Error error_in_ours(const Outcome& compilation, const fs::path& source) {
     const std::optional<CompileError> error = compile_error(compilation, {}, {});
     if (!error || error->place.file.empty())
         return error_at({source.string()},
-                        fmt::format("cannot be compiled: {}. {}", in_words(compilation), what_to_do));
+                        fmt::format("cannot be compiled: {}. {}", how_it_ended(compilation), what_to_do));
     return error_at(error->place,
                     fmt::format("cannot be compiled: {}. This is no mistake of yours. {}", error->message, what_to_do));
 }

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "learn/build/compile_error.hpp"
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 #include "scene/error.hpp"
 #include "scene/text_file.hpp"
 
@@ -69,7 +69,7 @@ Compiler find_compiler() {
             fmt::format("glassbox learn: error: the compiler {} does not answer: {}; install g++ (Debian, Ubuntu: sudo "
                         "apt-get install "
                         "g++), or name yours: CXX=clang++ ./glassbox learn",
-                        in_quotes(compiler.program), in_words(version)));
+                        in_quotes(compiler.program), how_it_ended(version)));
     compiler.identity = version.output;
     compiler.clang = version.output.find("clang") != std::string::npos;
     return compiler;
@@ -83,7 +83,7 @@ Compiler isolated(Compiler compiler, std::vector<fs::path> reads) {
         throw Error(
             fmt::format("glassbox learn: error: the compiler {} does not answer when it runs isolated: {}; "
                         "use one of the system's: CXX=g++ ./glassbox learn",
-                        in_quotes(compiler.program), in_words(version)));
+                        in_quotes(compiler.program), how_it_ended(version)));
     return compiler;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 
 namespace glassbox::learn {
 

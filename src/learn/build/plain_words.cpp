@@ -241,7 +241,7 @@ constexpr std::array meanings{
 
 }  // namespace
 
-std::string in_plain_words(std::string_view message, const Operation& operation) {
+std::string in_plain_words(std::string_view message, const OperatorInSource& operation) {
     const std::string text = with_operator(without_aliases(message), operation.sign);
     for (const Meaning& meaning : meanings) {
         const auto taken = matched(text, meaning.pattern);

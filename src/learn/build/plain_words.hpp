@@ -5,12 +5,12 @@
 namespace glassbox::learn {
 
 /// The operator that an error is about and what stands on its two sides, as far as the source shows it.
-struct Operation {
+struct OperatorInSource {
     std::string left = "vector", sign, right = "number";
 };
 
 /// What an error of a compiler means and what to do about it, for someone who learns C++; empty if it is none of the
 /// common ones. Knows the words of g++ and of clang++.
-std::string in_plain_words(std::string_view message, const Operation& operation = {});
+std::string in_plain_words(std::string_view message, const OperatorInSource& operation = {});
 
 }  // namespace glassbox::learn

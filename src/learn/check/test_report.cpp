@@ -48,7 +48,7 @@ Failure failure_from(const Json& json) {
 
 /// How the program ended before its time, in words, and the same for the detective.
 std::pair<std::string, std::string> death(const Outcome& outcome) {
-    std::string words = in_words(outcome);
+    std::string words = how_it_ended(outcome);
     if (words.empty()) words = "it ended the program (by _exit, perhaps) before its work was done";
     const int signal = outcome.end == End::signal ? outcome.status : 0;
     return {words, fmt::format("died {} {}", static_cast<int>(outcome.end), signal)};

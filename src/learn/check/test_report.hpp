@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "learn/check/test_run.hpp"
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 
 namespace glassbox::learn {
 

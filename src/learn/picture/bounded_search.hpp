@@ -26,7 +26,7 @@ class BoundedSearch {
 public:
     using Number = double;
 
-    BoundedSearch(Surfaces<double> surfaces, const SphereRoots& roots, const TriangleTest& test, const Reach& reach)
+    BoundedSearch(Surfaces<double> surfaces, const SphereRoots& roots, const TriangleTest& test, const RayBounds& reach)
         : surfaces_(std::move(surfaces)), roots_(roots), test_(test) {
         for (const auto& sphere : surfaces_.spheres) deciding_.push_back(filter::errors(sphere, reach).discriminant);
         for (const auto& triangle : surfaces_.triangles) deciding_.push_back(filter::errors(triangle, reach).side);
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    /// How far the number that decides is on the side of a miss, as the certified search's Evidence has it.
+    /// How far the number that decides is on the side of a miss, as the certified search's DecidingNumber has it.
     struct OfAMiss {
         double by = -1;
 

@@ -45,7 +45,7 @@ void write(const Scene& scene, const Options& options, Sheet& sheet) {
         copy(up, sheet.view[2]), copy(direction, sheet.view[3]);
     }
     copy(scene.pivot, sheet.pivot);
-    copy(scene.light_position, sheet.light);
+    copy(scene.light_vector, sheet.light);
     sheet.intensity = scene.light_intensity;
     sheet.shading_model = static_cast<std::int32_t>(scene.shading.model);
     sheet.k_a = scene.shading.k_a, sheet.k_d = scene.shading.k_d, sheet.k_s = scene.shading.k_s;
@@ -175,11 +175,11 @@ Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Opti
     return drawn;
 }
 
-std::string in_words(const Drawn& drawn) {
+std::string what_became_of(const Drawn& drawn) {
     const Outcome& outcome = drawn.outcome;
     if (drawn.not_written) return printable(outcome.last_words.text);
     if (outcome.well() && drawn.at == Stage::done) return "";
-    const std::string what = in_words(outcome);
+    const std::string what = how_it_ended(outcome);
     if (what.empty()) return where(drawn) + "it ended before the picture was done";
     return where(drawn) + what;
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "learn/picture/sheet.hpp"
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 #include "render/image.hpp"
 #include "render/options.hpp"
 #include "scene/scene.hpp"
@@ -50,6 +50,6 @@ Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Opti
            const std::function<void(std::shared_ptr<const Drawing>)>& show, const std::stop_token& stop = {});
 
 /// What went wrong, in words, at which pixel; empty if all of the picture is drawn.
-std::string in_words(const Drawn& drawn);
+std::string what_became_of(const Drawn& drawn);
 
 }  // namespace glassbox::learn::mine

@@ -22,7 +22,7 @@ constexpr int largest_side = 16384;
 std::string end_of(const Outcome& outcome) {
     const std::string text = outcome.last_words.kind == LastWords::threw ? outcome.last_words.text : "";
     if (!function_not_written(text).empty()) return printable(text);
-    std::string words = in_words(outcome);
+    std::string words = how_it_ended(outcome);
     if (words.empty() && outcome.last_words.kind != LastWords::finished) words = "it ended before its work was done";
     return words;
 }

@@ -124,12 +124,12 @@ Built build(const Workspace& workspace, const Exercise& exercise, const Compiler
     if (stop.stop_requested()) throw Cancelled{};
     Built built{program, compile_error(compiled, own_headers(exercise, workspace.headers_of(exercise)), workspace.root),
                 ""};
-    if (!built.error && !compiled.well()) built.words = "the compiler could not compile it: " + in_words(compiled);
+    if (!built.error && !compiled.well()) built.words = "the compiler could not compile it: " + how_it_ended(compiled);
     if (!built.error && built.words.empty()) {
         const Outcome linked = link(compiler, {object}, made, stop);
         if (stop.stop_requested()) throw Cancelled{};
         built.error = link_error(linked);
-        if (!built.error && !linked.well()) built.words = "the program could not be linked: " + in_words(linked);
+        if (!built.error && !linked.well()) built.words = "the program could not be linked: " + how_it_ended(linked);
     }
     std::error_code failed;
     fs::remove(object, failed);
@@ -168,32 +168,32 @@ std::string about_pixels(const Drawing& drawing) {
                        count(drawing.not_numbers), drawing.first_not_a_number->x, drawing.first_not_a_number->y);
 }
 
-News news_of(const Drawn& drawn) {
-    News news;
-    news.drawing = drawn.drawing;
-    news.said = drawn.outcome.output + drawn.outcome.errors;
-    news.draw_seconds = drawn.outcome.took.count();
-    news.words = in_words(drawn);
+PictureUpdate update_of(const Drawn& drawn) {
+    PictureUpdate update;
+    update.drawing = drawn.drawing;
+    update.said = drawn.outcome.output + drawn.outcome.errors;
+    update.draw_seconds = drawn.outcome.took.count();
+    update.words = what_became_of(drawn);
     if (drawn.not_written) {
-        news.stand = Stand::not_written;
-        news.words += hint(news.words);
-        return news;
+        update.stand = Stand::not_written;
+        update.words += hint(update.words);
+        return update;
     }
-    news.stand = news.words.empty() ? Stand::drawn : Stand::failed;
-    news.spot = drawn.spot;
+    update.stand = update.words.empty() ? Stand::drawn : Stand::failed;
+    update.spot = drawn.spot;
     const std::string more = about_pixels(*drawn.drawing);
-    if (more.empty()) return news;
+    if (more.empty()) return update;
     const Drawing& drawing = *drawn.drawing;
-    if (news.stand == Stand::drawn)
-        news.spot = drawing.not_numbers > 0 ? drawing.first_not_a_number : drawing.first_undecided;
-    news.words += (news.words.empty() ? "" : "; ") + more;
-    return news;
+    if (update.stand == Stand::drawn)
+        update.spot = drawing.not_numbers > 0 ? drawing.first_not_a_number : drawing.first_undecided;
+    update.words += (update.words.empty() ? "" : "; ") + more;
+    return update;
 }
 
 }  // namespace
 
 void Maker::make(const Workspace& workspace, const Exercise& exercise, const Scene& scene, const Options& options,
-                 const std::function<void(News)>& tell, const std::stop_token& stop) {
+                 const std::function<void(PictureUpdate)>& tell, const std::stop_token& stop) {
     std::error_code none;
     std::vector<std::string> parts;
     try {
@@ -208,10 +208,10 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
         // A header that is not there must not be replaced by ours in silence.
         for (const std::string& header : exercise.headers) parts.push_back(read_header(workspace, exercise, header));
     } catch (const Error& error) {
-        News news;
-        news.stand = Stand::not_there;
-        news.words = error.what();
-        return tell(std::move(news));
+        PictureUpdate update;
+        update.stand = Stand::not_there;
+        update.words = error.what();
+        return tell(std::move(update));
     }
     if (!compiler_) compiler_ = find_compiler();
     parts.push_back(state_of_ours(workspace.root));
@@ -222,44 +222,44 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     fs::path program;
     double compile_seconds = 0;
     {
-        News news;
-        news.words = "compiling " + shown(workspace.headers_of(exercise));
+        PictureUpdate update;
+        update.words = "compiling " + shown(workspace.headers_of(exercise));
         const Workshop shop = workshop(workspace, *compiler_, stop);
         program = shop.folder / (exercise.name + "-" + fingerprint(parts));
         if (!fs::is_regular_file(program, none)) {
-            tell(news);
+            tell(update);
             const Built built = build(workspace, exercise, *compiler_, shop, rules, program, stop);
             compile_seconds = seconds_since(start);
             if (built.error || !built.words.empty()) {
-                news.stand = Stand::does_not_compile;
-                news.error = built.error;
-                news.words = built.words;
-                news.compile_seconds = compile_seconds;
+                update.stand = Stand::does_not_compile;
+                update.error = built.error;
+                update.words = built.words;
+                update.compile_seconds = compile_seconds;
                 if (built.error) {
                     Place place = built.error->place;
                     place.file = shown(place.file);
-                    news.words =
+                    update.words =
                         error_at(place, built.error->message.empty() ? built.error->plain : built.error->message)
                             .what();
                 }
-                return tell(std::move(news));
+                return tell(std::move(update));
             }
         }
     }
     const auto show = [&](std::shared_ptr<const Drawing> drawing) {
-        News news;
-        news.stand = Stand::drawing;
+        PictureUpdate update;
+        update.stand = Stand::drawing;
         const double all = 1.0 * scene.width * scene.height;
-        news.words = fmt::format("drawing: {:.0f} %", 100 * static_cast<double>(drawing->drawn) / all);
-        news.drawing = std::move(drawing);
-        news.compile_seconds = compile_seconds;
-        tell(std::move(news));
+        update.words = fmt::format("drawing: {:.0f} %", 100 * static_cast<double>(drawing->drawn) / all);
+        update.drawing = std::move(drawing);
+        update.compile_seconds = compile_seconds;
+        tell(std::move(update));
     };
     const Drawn drawn = draw(program, scene, options, show, stop);
     if (stop.stop_requested()) throw Cancelled{};
-    News news = news_of(drawn);
-    news.compile_seconds = compile_seconds;
-    tell(std::move(news));
+    PictureUpdate update = update_of(drawn);
+    update.compile_seconds = compile_seconds;
+    tell(std::move(update));
 }
 
 }  // namespace glassbox::learn::mine

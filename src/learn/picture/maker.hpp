@@ -24,7 +24,7 @@ enum class Stand {
 };
 
 /// A learner's picture, and what there is to say of it.
-struct News {
+struct PictureUpdate {
     Stand stand = Stand::compiling;
     std::string words;                       ///< one or two sentences; no full stop
     std::optional<CompileError> error;       ///< with does_not_compile
@@ -41,7 +41,7 @@ public:
     /// Compiles the lesson's headers, if they have changed, and lets them draw the scene. `tell` is given every change
     /// as it comes. Throws Error if the machine cannot do it: there is no compiler, or no room.
     void make(const Workspace& workspace, const Exercise& exercise, const Scene& scene, const Options& options,
-              const std::function<void(News)>& tell, const std::stop_token& stop = {});
+              const std::function<void(PictureUpdate)>& tell, const std::stop_token& stop = {});
 
 private:
     std::optional<Compiler> compiler_;

@@ -44,7 +44,7 @@ Scene scene_of(Sheet& sheet) {
         scene.view =
             ParallelView{vector(sheet.view[0]), vector(sheet.view[1]), vector(sheet.view[2]), vector(sheet.view[3])};
     scene.pivot = vector(sheet.pivot);
-    scene.light_position = vector(sheet.light);
+    scene.light_vector = vector(sheet.light);
     scene.light_intensity = sheet.intensity;
     scene.shading = {static_cast<ShadingModel>(sheet.shading_model),
                      sheet.k_a,
@@ -129,7 +129,7 @@ void draw(Sheet& sheet, const SphereRoots& roots, const TriangleTest& test) {
     at(Stage::view);
     const View seen = view(scene, options);
     at(Stage::light);
-    const Light<double> light = directional_light(scene.light_position, scene.light_intensity);
+    const Light<double> light = directional_light(scene.light_vector, scene.light_intensity);
     using Search = decltype(search(sheet, {}, seen, roots, test));
     const Tracer<Search> tracer{search(sheet, surfaces<double>(scene, options.stage), seen, roots, test),
                                 surface_colors(scene),

@@ -76,11 +76,11 @@ Progress remembered(const Workspace& learner, const fs::path& scratch, std::stri
     return read_progress(copy, complaint);
 }
 
-Verdict verdict(const TestRun& run, const Judgement& judgement) {
-    if (run.error) return Verdict::does_not_compile;
-    if (run.passed()) return Verdict::passed;
+Grade grade_of(const TestRun& run, const Judgement& judgement) {
+    if (run.error) return Grade::does_not_compile;
+    if (run.passed()) return Grade::passed;
     const bool unfinished = run.disturbed.empty() && judgement.failed == 0 && judgement.waiting > 0;
-    return unfinished ? Verdict::unfinished : Verdict::failing;
+    return unfinished ? Grade::unfinished : Grade::failing;
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
     if (!is_begun(learner, exercise)) return lesson;
     lesson.wrong = why_unusable(learner, exercise);
     if (!lesson.wrong.empty()) {
-        lesson.verdict = Verdict::does_not_compile;
+        lesson.grade = Grade::does_not_compile;
         lesson.no_picture = "a header cannot be used";
         return lesson;
     }
@@ -127,7 +127,7 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
         lesson.functions[k].state = judgement.functions[k].state;
         lesson.functions[k].waits_for = judgement.functions[k].waits_for;
     }
-    lesson.verdict = verdict(run, judgement);
+    lesson.grade = grade_of(run, judgement);
     lesson.cases = static_cast<int>(run.cases.size());
     lesson.cases_waiting = judgement.waiting;
     lesson.cases_passed = lesson.cases - judgement.failed - judgement.waiting;

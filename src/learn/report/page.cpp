@@ -109,28 +109,28 @@ std::string marked(const FunctionStanding& function) {
     }
 }
 
-std::string in_words(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::passed:
+std::string words_for(Grade grade) {
+    switch (grade) {
+        case Grade::passed:
             return "passed";
-        case Verdict::unfinished:
+        case Grade::unfinished:
             return "unfinished";
-        case Verdict::failing:
+        case Grade::failing:
             return "failing";
-        case Verdict::does_not_compile:
+        case Grade::does_not_compile:
             return "does not compile";
         default:
             return "not begun";
     }
 }
 
-std::string marked(Verdict verdict) {
-    const bool bad = verdict == Verdict::failing || verdict == Verdict::does_not_compile;
-    const auto [kind, mark] = verdict == Verdict::passed       ? std::pair("good", "✓")
-                              : bad                            ? std::pair("bad", "✗")
-                              : verdict == Verdict::unfinished ? std::pair("faint", "…")
-                                                               : std::pair("faint", "–");
-    return fmt::format("<span class=\"{}\">{} {}</span>", kind, mark, in_words(verdict));
+std::string marked(Grade grade) {
+    const bool bad = grade == Grade::failing || grade == Grade::does_not_compile;
+    const auto [kind, mark] = grade == Grade::passed       ? std::pair("good", "✓")
+                              : bad                        ? std::pair("bad", "✗")
+                              : grade == Grade::unfinished ? std::pair("faint", "…")
+                                                           : std::pair("faint", "–");
+    return fmt::format("<span class=\"{}\">{} {}</span>", kind, mark, words_for(grade));
 }
 
 int hints_of(const LessonStanding& lesson) {
@@ -144,9 +144,8 @@ std::string counted(int number, std::string_view one, std::string_view many) {
 }
 
 std::string section(const LessonStanding& lesson) {
-    std::string html =
-        fmt::format("<h2>{}. {} {}</h2>\n", lesson.number, escaped(lesson.title), marked(lesson.verdict));
-    if (lesson.verdict == Verdict::not_begun) return html;
+    std::string html = fmt::format("<h2>{}. {} {}</h2>\n", lesson.number, escaped(lesson.title), marked(lesson.grade));
+    if (lesson.grade == Grade::not_begun) return html;
     html += fmt::format("<p>{} of {} functions, {} of {} tests{}; tested {}, {} shown{}.</p>\n",
                         functions_passed(lesson), lesson.functions.size(), lesson.cases_passed, lesson.cases,
                         lesson.cases_waiting > 0 ? fmt::format(" ({} for a function to be written)",
@@ -161,7 +160,7 @@ std::string section(const LessonStanding& lesson) {
     html += "</table>\n";
     if (!lesson.wrong.empty())
         html += fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n",
-                            lesson.verdict == Verdict::unfinished ? "What comes next" : "What is wrong first",
+                            lesson.grade == Grade::unfinished ? "What comes next" : "What is wrong first",
                             escaped(lesson.wrong));
     if (!lesson.mistake.empty()) html += fmt::format("<p><b>It looks like this:</b> {}</p>\n", escaped(lesson.mistake));
     return html + pictures(lesson);
@@ -169,15 +168,15 @@ std::string section(const LessonStanding& lesson) {
 
 /// "✓", "3/5", "✗ 3/5" where it does not compile, "–": one lesson in a table.
 std::string cell(const LessonStanding& lesson) {
-    if (lesson.verdict == Verdict::passed) return lesson.gave_up ? "✓ (gave up)" : "✓";
-    if (lesson.verdict == Verdict::not_begun) return "–";
-    if (lesson.verdict == Verdict::does_not_compile) return "✗";
+    if (lesson.grade == Grade::passed) return lesson.gave_up ? "✓ (gave up)" : "✓";
+    if (lesson.grade == Grade::not_begun) return "–";
+    if (lesson.grade == Grade::does_not_compile) return "✗";
     return fmt::format("{}/{}", functions_passed(lesson), lesson.functions.size());
 }
 
 int lessons_passed(const LearnerStanding& learner) {
     return static_cast<int>(
-        std::ranges::count(learner.lessons, Verdict::passed, [](const auto& lesson) { return lesson.verdict; }));
+        std::ranges::count(learner.lessons, Grade::passed, [](const auto& lesson) { return lesson.grade; }));
 }
 
 constexpr std::string_view legend =
@@ -263,14 +262,14 @@ std::string to_table(const std::vector<LearnerStanding>& learners) {
 
 std::string to_csv(const std::vector<LearnerStanding>& learners) {
     std::string text =
-        "learner,lesson,verdict,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,"
+        "learner,lesson,grade,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,"
         "runs,"
         "gave_up\n";
     for (const auto& learner : learners) {
         for (const auto& lesson : learner.lessons) {
             const auto differing = pixels_differing(lesson);
             text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", field(learner.learner), lesson.number,
-                                in_words(lesson.verdict), functions_passed(lesson), lesson.functions.size(),
+                                words_for(lesson.grade), functions_passed(lesson), lesson.functions.size(),
                                 lesson.cases_passed, lesson.cases_waiting, lesson.cases,
                                 differing ? fmt::to_string(*differing) : "", hints_of(lesson), lesson.runs,
                                 lesson.gave_up ? "yes" : "no");

@@ -15,7 +15,7 @@ std::string to_html(const std::vector<LearnerStanding>& learners, const std::str
 std::string to_table(const std::vector<LearnerStanding>& learners);
 
 /// The same as CSV:
-/// learner,lesson,verdict,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,runs,gave_up.
+/// learner,lesson,grade,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,runs,gave_up.
 std::string to_csv(const std::vector<LearnerStanding>& learners);
 
 }  // namespace glassbox::learn

@@ -17,13 +17,13 @@ struct FunctionStanding {
 };
 
 /// What became of a lesson's tests. Unfinished: nothing fails, but something is not written yet.
-enum class Verdict { not_begun, does_not_compile, failing, unfinished, passed };
+enum class Grade { not_begun, does_not_compile, failing, unfinished, passed };
 
 /// How a learner stands in a lesson, as a teacher wants to know it.
 struct LessonStanding {
     int number = 0;
     std::string title;
-    Verdict verdict = Verdict::not_begun;
+    Grade grade = Grade::not_begun;
     std::vector<FunctionStanding> functions = {};
     int cases = 0, cases_passed = 0;  ///< of the tests that ran, one for each scalar
     int cases_waiting = 0;            ///< those that cannot be run until a function is written

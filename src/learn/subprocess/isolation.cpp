@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -63,7 +63,7 @@ std::string why_not_isolated() {
         return "bubblewrap is not there; install it (Debian, Ubuntu: sudo apt-get install bubblewrap; Fedora: sudo dnf "
                "install bubblewrap; Arch: sudo pacman -S bubblewrap)";
     return fmt::format("bubblewrap cannot set a program apart here ({}); allow user namespaces, or use another machine",
-                       in_words(outcome));
+                       how_it_ended(outcome));
 }
 
 }  // namespace glassbox::learn

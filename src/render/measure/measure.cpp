@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "render/measure/judge.hpp"
+#include "render/measure/reference_search.hpp"
 #include "render/measure/why_no_value.hpp"
 #include "render/render.hpp"
 #include "render/trace_pixels.hpp"
@@ -12,12 +12,12 @@ namespace glassbox {
 
 namespace {
 
-std::vector<Plane> empty_planes(const Measurement& measurement, int width, int height) {
+std::vector<Channel> empty_channels(const Measurement& measurement, int width, int height) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    std::vector<Plane> planes;
-    for (const std::string_view name : measurement.planes)
-        planes.push_back({std::string(name), width, height, std::vector<double>(pixels, no_value)});
-    return planes;
+    std::vector<Channel> channels;
+    for (const std::string_view name : measurement.channels)
+        channels.push_back({std::string(name), width, height, std::vector<double>(pixels, no_value)});
+    return channels;
 }
 
 PixelNumbers& numbers_of(PixelNumbers& probe) { return probe; }
@@ -43,8 +43,8 @@ private:
     std::atomic<WhyNoValue> last_ = WhyNoValue::has_one;
 };
 
-bool has_value(const Plane& plane) {
-    return !std::ranges::all_of(plane.values, [](double value) { return std::isnan(value); });
+bool has_value(const Channel& channel) {
+    return !std::ranges::all_of(channel.values, [](double value) { return std::isnan(value); });
 }
 
 /// What all of them need together.
@@ -62,30 +62,30 @@ Needs needs_of(std::span<const Measurement* const> wanted) {
 
 /// Measures with the probe that is just enough.
 template <class Probe>
-std::vector<std::vector<Plane>> measured_by(const Scene& scene, Options options,
-                                            std::span<const Measurement* const> wanted, Job job) {
+std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options options,
+                                              std::span<const Measurement* const> wanted, Job job) {
     const Needs needs = needs_of(wanted);
-    if (needs.boxes && options.engine == Engine::automatic) options.engine = Engine::fast;
+    if (needs.boxes && options.engine == EngineChoice::automatic) options.engine = EngineChoice::fast;
     // The engine's way to the nearest surface passes over what lies behind it.
     const bool by_engine = uses_engine(scene, options, false);
     const bool count_hits = needs.all_hits && by_engine;
-    if (!job.engine && (needs.truth || by_engine)) job.engine = ready(scene, options.stage, job.threads);
+    if (!job.engine && (needs.truth || by_engine)) job.engine = build_engine(scene, options.stage, job.threads);
     const View rebuilt = rebuilt_view(scene, turns_of(options));
     const View accumulated = accumulated_view(scene, turns_of(options));
-    std::optional<Judge> judge;
-    if (needs.truth || count_hits) judge.emplace(job.engine);
+    std::optional<ReferenceSearch> reference;
+    if (needs.truth || count_hits) reference.emplace(job.engine);
 
-    std::vector<std::vector<Plane>> result;
+    std::vector<std::vector<Channel>> result;
     for (const Measurement* measurement : wanted)
-        result.push_back(empty_planes(*measurement, scene.width, scene.height));
+        result.push_back(empty_channels(*measurement, scene.width, scene.height));
 
     std::vector<NearestReason> reasons(wanted.size());
     trace_pixels<Probe>(scene, options, job, [&](int x, int y, const Ray<double>& ray, Rgb, Probe& probe) {
         PixelNumbers& numbers = numbers_of(probe);
         if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
-        if (count_hits) numbers.hits = judge->hits(ray);
-        if (needs.truth) judge->judge(ray, options.scalar, numbers);
+        if (count_hits) numbers.hits = reference->hits(ray);
+        if (needs.truth) reference->compare(ray, options.scalar, numbers);
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
         for (std::size_t m = 0; m < wanted.size(); ++m) {
@@ -96,15 +96,15 @@ std::vector<std::vector<Plane>> measured_by(const Scene& scene, Options options,
         }
     });
     for (std::size_t m = 0; m < wanted.size(); ++m)
-        for (Plane& plane : result[m])
-            if (!has_value(plane)) plane.why_no_value = in_words(reasons[m].get(), *wanted[m], options);
+        for (Channel& channel : result[m])
+            if (!has_value(channel)) channel.why_no_value = reason_text(reasons[m].get(), *wanted[m], options);
     return result;
 }
 
 }  // namespace
 
-std::vector<std::vector<Plane>> measure(const Scene& scene, const Options& options,
-                                        std::span<const Measurement* const> wanted, const Job& job) {
+std::vector<std::vector<Channel>> measure(const Scene& scene, const Options& options,
+                                          std::span<const Measurement* const> wanted, const Job& job) {
     return needs_of(wanted).triangles ? measured_by<WithTriangles>(scene, options, wanted, job)
                                       : measured_by<PixelNumbers>(scene, options, wanted, job);
 }

@@ -46,8 +46,8 @@ struct Measurement {
     Scale scale;
     Source source;
     std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; otherwise that of its values
-    std::span<const std::string_view> planes;            ///< the names of its components: itself, or x, y and z
-    std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has planes
+    std::span<const std::string_view> channels;          ///< the names of its components: itself, or x, y and z
+    std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has channels
     Needs needs = {};
     std::optional<double> contour = {};  ///< a value whose border is drawn as a line
 };

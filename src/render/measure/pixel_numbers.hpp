@@ -7,7 +7,7 @@
 
 #include <shading.hpp>
 
-#include "render/measure/plane.hpp"
+#include "render/measure/channel.hpp"
 #include "render/measure/triangle_numbers.hpp"
 #include "render/search/certified_search.hpp"
 #include "render/search/fast_search.hpp"

@@ -7,7 +7,7 @@
 #include <magnitude.hpp>
 #include <triangle.hpp>
 
-#include "render/measure/plane.hpp"
+#include "render/measure/channel.hpp"
 
 namespace glassbox {
 

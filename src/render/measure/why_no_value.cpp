@@ -61,7 +61,7 @@ WhyNoValue why_silent(Source source, const PixelNumbers& numbers, const Circumst
 
 /// What keeps the engine away.
 std::string why_no_engine(const Options& options) {
-    if (options.engine == Engine::plain) return "the plain loop has no boxes";
+    if (options.engine == EngineChoice::plain) return "the plain loop has no boxes";
     if (std::holds_alternative<Tolerance>(options.triangle_rule))
         return "boxes are the fast engine's, and tolerance hits triangles where they are not";
     return "boxes are the fast engine's, and that answers certified";
@@ -77,7 +77,7 @@ WhyNoValue why_no_value(const Measurement& what, const PixelNumbers& numbers, co
     return !how.valid_ray && why > WhyNoValue::invalid_ray ? WhyNoValue::invalid_ray : why;
 }
 
-std::string in_words(WhyNoValue why, const Measurement& what, const Options& options) {
+std::string reason_text(WhyNoValue why, const Measurement& what, const Options& options) {
     switch (why) {
         case WhyNoValue::has_one:
             return "";

@@ -39,6 +39,6 @@ struct Circumstances {
 WhyNoValue why_no_value(const Measurement& what, const PixelNumbers& numbers, const Circumstances& how);
 
 /// "phong has no half vector"; empty for has_one.
-std::string in_words(WhyNoValue why, const Measurement& what, const Options& options);
+std::string reason_text(WhyNoValue why, const Measurement& what, const Options& options);
 
 }  // namespace glassbox

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/search/prover.hpp"
+#include "render/search/filtered_predicates.hpp"
 
 namespace glassbox {
 
@@ -25,7 +25,7 @@ struct ListedSurfaces {
 };
 
 /// With `no_bounds` all are infinite, and decide nothing.
-inline ListedSurfaces listed(Surfaces<double> surfaces, const Reach& reach, bool no_bounds) {
+inline ListedSurfaces listed(Surfaces<double> surfaces, const RayBounds& reach, bool no_bounds) {
     ListedSurfaces result{std::move(surfaces), {}, {}};
     result.sphere_errors.resize(result.surfaces.spheres.size());
     result.triangle_errors.resize(result.surfaces.triangles.size());
@@ -36,24 +36,24 @@ inline ListedSurfaces listed(Surfaces<double> surfaces, const Reach& reach, bool
     return result;
 }
 
-/// Finds what a ray meets first by testing all surfaces, one after the other, and is right: see Prover.
+/// Finds what a ray meets first by testing all surfaces, one after the other, and is right: see FilteredPredicates.
 class CertifiedSearch {
 public:
     using Number = double;
 
     /// `reach` must cover all rays that will be traced. With `only_exact` nothing is left to bounds.
     CertifiedSearch(Surfaces<double> surfaces, const SphereRule& sphere_rule, const TriangleRule& triangle_rule,
-                    const Reach& reach, bool only_exact)
-        : prover_(listed(std::move(surfaces), reach, only_exact), sphere_rule, triangle_rule, only_exact) {}
+                    const RayBounds& reach, bool only_exact)
+        : predicates_(listed(std::move(surfaces), reach, only_exact), sphere_rule, triangle_rule, only_exact) {}
 
     /// `ray` must be valid.
     template <class Probe>
     std::optional<ProvenHit> trace_proven(const Ray<double>& ray, Probe& probe) const {
         std::optional<ProvenHit> best;
-        const auto& [spheres, triangles] = prover_.store().surfaces;
-        for (std::size_t i = 0; i < spheres.size(); ++i) prover_.test(best, ray, spheres[i], i, probe);
+        const auto& [spheres, triangles] = predicates_.store().surfaces;
+        for (std::size_t i = 0; i < spheres.size(); ++i) predicates_.test(best, ray, spheres[i], i, probe);
         for (std::size_t i = 0; i < triangles.size(); ++i)
-            prover_.test(best, ray, triangles[i], spheres.size() + i, probe);
+            predicates_.test(best, ray, triangles[i], spheres.size() + i, probe);
         return best;
     }
 
@@ -66,14 +66,16 @@ public:
         return Hit<double>{hit->surface, hit->told_t};
     }
 
-    Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }
-    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return prover_.sharpened(ray, hit); }
+    Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
+        return predicates_.normal_at(ray, hit);
+    }
+    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return predicates_.sharpened(ray, hit); }
     std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
-        return prover_.true_t(ray, surface);
+        return predicates_.true_t(ray, surface);
     }
 
 private:
-    Prover<ListedSurfaces> prover_;
+    FilteredPredicates<ListedSurfaces> predicates_;
 };
 
 }  // namespace glassbox

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/kernels.hpp"
-#include "render/search/prover.hpp"
+#include "render/search/filtered_predicates.hpp"
 
 namespace glassbox {
 
@@ -24,7 +24,7 @@ struct EngineSurfaces {
     }
     template <class Surface>
     auto errors(const Surface& surface, std::size_t, const Ray<double>& ray) const {
-        return filter::errors(surface, reaching({}, ray));
+        return filter::errors(surface, including({}, ray));
     }
 };
 
@@ -57,9 +57,9 @@ public:
 
     FastSearch(std::shared_ptr<const engine::Engine> engine, const SphereRule& sphere_rule,
                const TriangleRule& triangle_rule)
-        : prover_({std::move(engine)}, sphere_rule, triangle_rule, false) {}
+        : predicates_({std::move(engine)}, sphere_rule, triangle_rule, false) {}
 
-    const engine::Engine& engine() const { return *prover_.store().engine; }
+    const engine::Engine& engine() const { return *predicates_.store().engine; }
 
     /// `ray` must be valid.
     template <class Probe>
@@ -92,11 +92,13 @@ public:
         return Hit<double>{hit->surface, hit->told_t};
     }
 
-    double t_of(const Ray<double>& ray, std::size_t surface) const { return prover_.t_of(ray, surface); }
-    Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const { return prover_.normal_at(ray, hit); }
-    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return prover_.sharpened(ray, hit); }
+    double t_of(const Ray<double>& ray, std::size_t surface) const { return predicates_.t_of(ray, surface); }
+    Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
+        return predicates_.normal_at(ray, hit);
+    }
+    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return predicates_.sharpened(ray, hit); }
     std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
-        return prover_.true_t(ray, surface);
+        return predicates_.true_t(ray, surface);
     }
 
 private:
@@ -111,7 +113,7 @@ private:
 
         void test(std::size_t surface) {
             search.engine().with_surface(
-                surface, [&](const auto& shape) { search.prover_.test(best, ray, shape, surface, probe); });
+                surface, [&](const auto& shape) { search.predicates_.test(best, ray, shape, surface, probe); });
         }
 
         float until() const {
@@ -130,10 +132,10 @@ private:
             const engine::Block& block = all.blocks()[index];
             if constexpr (OnlyVerdicts<Probe>) {
                 for (std::uint32_t rest = engine::not_missed(block, ray); rest != 0; rest &= rest - 1)
-                    search.prover_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
+                    search.predicates_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
             } else {
                 for (std::uint32_t at = 0; at < block.count; ++at)
-                    search.prover_.test(best, ray, block.triangle(at), block.surface[at], probe);
+                    search.predicates_.test(best, ray, block.triangle(at), block.surface[at], probe);
             }
         }
 
@@ -150,7 +152,7 @@ private:
         }
     };
 
-    Prover<EngineSurfaces> prover_;
+    FilteredPredicates<EngineSurfaces> predicates_;
 };
 
 }  // namespace glassbox

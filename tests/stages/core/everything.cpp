@@ -42,8 +42,8 @@ Rgb everything(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c, in
         hit = nearest(hit, 2, intersect(ray, sphere, Levental2014{}, probe));
         hit = nearest(hit, 3, intersect(ray, triangle, Pluecker{}, probe));
         const Silent silent;
-        const Crossing<Bounded> bounded =
-            intersect(convert<Bounded>(ray), convert<Bounded>(triangle), Pluecker{}, silent);
+        const Crossing<Bounded> bounded = intersect(convert<Bounded>(convert<double>(ray)),
+                                                    convert<Bounded>(convert<double>(triangle)), Pluecker{}, silent);
         if (surely(bounded.met)) sum = static_cast<Real>(bounded.t.error) * sum;
         sum = static_cast<Real>(dot(convert<Magnitude>(ray.P), convert<Magnitude>(ray.D)).size) * sum;
         hit = nearest(hit, 4, intersect(ray, triangle, Tolerance{}, probe));

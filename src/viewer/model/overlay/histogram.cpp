@@ -31,7 +31,7 @@ std::optional<std::size_t> Histogram::bin_of(double value) const {
     return static_cast<std::size_t>(after - bins.begin()) - 1;
 }
 
-Histogram histogram(const Plane& plane, const Summary& summary, const Coloring& coloring, int most_bins) {
+Histogram histogram(const Channel& channel, const Summary& summary, const Coloring& coloring, int most_bins) {
     const auto [low, high] = std::pair(coloring.low, coloring.high);
     Histogram result;
     if (!summary.any_finite()) return result;
@@ -39,18 +39,18 @@ Histogram histogram(const Plane& plane, const Summary& summary, const Coloring& 
     result.whole = summary.whole && low == std::floor(low) && high == std::floor(high) &&
                    std::max(std::abs(low), std::abs(high)) < 0x1p53;
     result.bins = result.whole ? whole_bins(low, high, most_bins) : even_bins(low, high, most_bins);
-    for (const double value : plane.values)
+    for (const double value : channel.values)
         if (const auto bin = result.bin_of(value)) ++result.bins[*bin].count;
     for (const Bin& bin : result.bins) result.most = std::max(result.most, bin.count);
     return result;
 }
 
-Distribution distribution(const Measurement& what, const Plane& plane, const SetRange& set) {
+Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set) {
     constexpr int most_bins = 64;
-    const Summary summary = summarized(plane);
+    const Summary summary = summarized(channel);
     Coloring coloring = coloring_of(what, summary, what.scale == Scale::direction ? SetRange{} : set);
     if (what.scale == Scale::direction) coloring.blocks = false;  // its colours pass from one into the next
-    return {summary, coloring, outside(plane, coloring), histogram(plane, summary, coloring, most_bins)};
+    return {summary, coloring, outside(channel, coloring), histogram(channel, summary, coloring, most_bins)};
 }
 
 }  // namespace glassbox

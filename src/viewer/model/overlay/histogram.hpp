@@ -13,7 +13,7 @@ struct Bin {
     std::int64_t count = 0;
 };
 
-/// The values of a plane in bins from the low end of its colours to the high one.
+/// The values of a channel in bins from the low end of its colours to the high one.
 struct Histogram {
     std::vector<Bin> bins;  ///< of the same width; none where no value is finite
     bool whole = false;     ///< of whole numbers: a bin holds those from `from` to `to`, both included
@@ -25,9 +25,9 @@ struct Histogram {
 
 /// At most that many bins; whole numbers are never split unevenly over them. Values outside the colours' low and high
 /// are in none.
-Histogram histogram(const Plane& plane, const Summary& summary, const Coloring& coloring, int most_bins);
+Histogram histogram(const Channel& channel, const Summary& summary, const Coloring& coloring, int most_bins);
 
-/// All that a legend tells of one plane.
+/// All that a legend tells of one channel.
 struct Distribution {
     Summary summary;
     Coloring coloring;
@@ -35,7 +35,7 @@ struct Distribution {
     Histogram histogram;
 };
 
-/// What the colours of a measured plane stand for; `set` is a range that somebody set.
-Distribution distribution(const Measurement& what, const Plane& plane, const SetRange& set);
+/// What the colours of a measured channel stand for; `set` is a range that somebody set.
+Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set);
 
 }  // namespace glassbox

@@ -7,8 +7,8 @@
 
 #include "engine/box_ray.hpp"
 #include "engine/kernels.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/fast_search.hpp"
-#include "render/search/ready.hpp"
 
 namespace glassbox {
 

@@ -358,7 +358,7 @@ SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const Surface
     result.sight.radius = std::max(result.sight.radius, length(standpoint(result.picture) - result.sight.center));
     const bool has_hit = pinned && pinned->hit && is_finite(values(pinned->hit->point));
     result.focus = has_hit ? values(pinned->hit->point) : result.sight.center;
-    result.light = unit(setup.light_position);
+    result.light = unit(setup.light_vector);
     result.has_light = setup.options.stage >= 4 && is_finite(result.light);
     place_axes(result);
 

@@ -34,7 +34,7 @@ std::string explain_command(const std::filesystem::path& file, const Scene& scen
     add("specular", shading.k_s, original.shading.k_s);
     add("exponent", shading.exponent, original.shading.exponent);
     add("shading", name_of(shading.model), name_of(original.shading.model));
-    if (light != original.light_position) line += fmt::format(" --light {},{},{}", light.x, light.y, light.z);
+    if (light != original.light_vector) line += fmt::format(" --light {},{},{}", light.x, light.y, light.z);
     add("intensity", intensity, original.light_intensity);
     add("scalar", name_of(options.scalar), name_of(original.options.scalar));
     add("triangle", written(options.triangle_rule), written(original.options.triangle_rule));

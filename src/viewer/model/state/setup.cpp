@@ -8,11 +8,11 @@
 
 namespace glassbox {
 
-Setup setup_of(const Scene& scene) { return {{}, scene.shading, scene.light_position, scene.light_intensity}; }
+Setup setup_of(const Scene& scene) { return {{}, scene.shading, scene.light_vector, scene.light_intensity}; }
 
 Scene applied(Scene scene, const Setup& setup) {
     scene.shading = setup.shading;
-    scene.light_position = setup.light_position;
+    scene.light_vector = setup.light_vector;
     scene.light_intensity = setup.light_intensity;
     return scene;
 }
@@ -55,7 +55,7 @@ Setup followed(Setup setup, const Scene& before, const Scene& after) {
     follow(shading.exponent, before.shading.exponent, after.shading.exponent);
     follow(shading.ambient_color, before.shading.ambient_color, after.shading.ambient_color);
     follow(shading.specular_color, before.shading.specular_color, after.shading.specular_color);
-    follow(setup.light_position, before.light_position, after.light_position);
+    follow(setup.light_vector, before.light_vector, after.light_vector);
     follow(setup.light_intensity, before.light_intensity, after.light_intensity);
     return setup;
 }

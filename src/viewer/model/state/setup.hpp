@@ -11,7 +11,7 @@ namespace glassbox {
 struct Setup {
     Options options;
     Shading<double> shading;
-    Vec3<double> light_position;
+    Vec3<double> light_vector;
     double light_intensity = 1;
 
     bool operator==(const Setup&) const = default;

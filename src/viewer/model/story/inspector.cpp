@@ -90,7 +90,7 @@ InspectorPart part(std::string title, std::string note = {}) {
             .number = {},
             .color = {},
             .open = true,
-            .drawing = Drawing::none,
+            .drawing = Diagram::none,
             .surface = {},
             .rows = {},
             .parts = {}};
@@ -132,7 +132,7 @@ void add_roots(InspectorPart& part, const std::string& path, const char* rule, c
 }
 
 void add_test(InspectorPart& part, const std::string& path, const SphereTest& test) {
-    part.drawing = Drawing::sphere;
+    part.drawing = Diagram::sphere;
     add_roots(part, path + "/textbook", "textbook", test.textbook);
     add_roots(part, path + "/stable", "stable", test.stable);
     part.rows.push_back(row("centre", plains(path + "/center", test.center)));
@@ -148,7 +148,7 @@ void add_weights(InspectorPart& part, const std::string& path, const TriangleTes
 }
 
 void add_test(InspectorPart& part, const std::string& path, const TriangleTest& test) {
-    part.drawing = Drawing::triangle;
+    part.drawing = Diagram::triangle;
     part.rows.push_back(barred("a", path + "/sides/a", test.a));
     part.rows.push_back(barred("b", path + "/sides/b", test.b));
     part.rows.push_back(barred("c", path + "/sides/c", test.c));
@@ -207,7 +207,7 @@ InspectorPart hit_part(const Story& story, const FirstHit& hit) {
     for (std::size_t i = 0; i < story.surfaces.size(); ++i) {
         const auto* test = std::get_if<TriangleTest>(&story.surfaces[i].test);
         if (story.surfaces[i].number != hit.surface || !test || !test->weights) continue;
-        result.drawing = Drawing::weights;
+        result.drawing = Diagram::weights;
         result.surface = i;
         add_weights(result, path_of(i), *test);
     }
@@ -234,7 +234,7 @@ InspectorPart light_part(const Story& story, const Shade& shade) {
     const bool phong = shade.model == ShadingModel::phong;
     const bool cut = shade.model == ShadingModel::levental_2014;
     InspectorPart light = part("The light", fmt::format("shading by {}", name_of(shade.model)));
-    light.drawing = Drawing::angles;
+    light.drawing = Diagram::angles;
     const auto cosine = [&](const char* label, const char* name, const Number& number) {
         InspectorRow result = barred(label, path + name, number, false);
         result.note = fmt::format("cos {:.4g}°, {}", angle(number.value), result.note);
@@ -251,7 +251,7 @@ InspectorPart light_part(const Story& story, const Shade& shade) {
                              : cut ? "unit(L + r): L not of length 1, as in the paper's program"
                                    : "half way, unit(l + r)"));
     InspectorPart sum = part("The colour", "ambient + diffuse + specular");
-    sum.drawing = Drawing::terms;
+    sum.drawing = Diagram::terms;
     sum.rows.push_back(row("I", {plain(path + "/intensity", shade.intensity)}, "the light's intensity"));
     sum.rows.push_back(row("e", {plain(path + "/exponent", shade.exponent)}, "of the highlight"));
     sum.parts.push_back(term_part("ambient", path + "/ambient", "k_a", "k_a", shade.ambient, cut));
@@ -272,7 +272,7 @@ InspectorPart rounding_part(const Story& story, const FirstHit& hit) {
         return rounding;
     }
     const auto& [step, name, checked] = hit.steps[*hit.worst];
-    rounding.drawing = Drawing::bits;
+    rounding.drawing = Diagram::bits;
     rounding.rows.push_back(row("worst", Numbers{}, operation(hit.steps, step)));
     rounding.rows.push_back(row("where", Numbers{}, place(step)));
     rounding.rows.push_back(row("step", {count("/hit/most_bits_lost/step", *hit.worst)}, name));

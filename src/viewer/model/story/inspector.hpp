@@ -29,7 +29,7 @@ struct InspectorRow {
 };
 
 /// What is drawn above a part's rows.
-enum class Drawing {
+enum class Diagram {
     none,
     sphere,    ///< the line through the circle
     triangle,  ///< the triangle as seen along the ray
@@ -47,7 +47,7 @@ struct InspectorPart {
     std::optional<InspectedNumber> number;  ///< that the title names
     std::optional<Rgb> color;
     bool open = true;  ///< at first
-    Drawing drawing = Drawing::none;
+    Diagram drawing = Diagram::none;
     std::optional<std::size_t> surface;  ///< which of story.surfaces is drawn
     std::vector<InspectorRow> rows;
     std::vector<InspectorPart> parts;

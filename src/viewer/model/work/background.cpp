@@ -34,13 +34,14 @@ Background::Background(const std::function<void()>& wake)
       compared_(wake),
       boxes_(wake) {}
 
-Job Background::background_job(KeptEngine& engine, const Seen& seen, const std::stop_token& stop) {
+Job Background::background_job(KeptEngine& engine, const PictureRequest& seen, const std::stop_token& stop) {
     Job job{.threads = background_threads(), .stop = stop};
     job.engine = engine.of(seen.scene, seen.setup.options.stage, job.threads);
     return job;
 }
 
-void Background::ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted) {
+void Background::ask_for_picture(Worker<PictureRequest, Picture>& worker, const std::optional<PictureRequest>& seen,
+                                 bool counted) {
     if (worker.asked == seen) return;
     const bool goes_on = worker.asked && seen && worker.asked->scene == seen->scene;
     worker.asked = seen;
@@ -57,41 +58,41 @@ void Background::ask_for_picture(Worker<Seen, Picture>& worker, const std::optio
     worker.latest.ask(std::move(work), goes_on);
 }
 
-void Background::ask_for_mine(const std::optional<SeenMine>& wanted) {
+void Background::ask_for_mine(const std::optional<MineRequest>& wanted) {
     if (mine_.asked == wanted) return;
     mine_.asked = wanted;
     if (!wanted) return mine_.latest.cancel();
     mine_.latest.ask([wanted = *wanted, maker = maker_](const std::stop_token& stop, const auto& deliver) {
-        const auto tell = [&](learn::mine::News news) {
-            deliver(std::make_shared<const learn::mine::News>(std::move(news)));
+        const auto tell = [&](learn::mine::PictureUpdate update) {
+            deliver(std::make_shared<const learn::mine::PictureUpdate>(std::move(update)));
         };
         const learn::Exercise& exercise = learn::exercise_called(*wanted.workspace, std::to_string(wanted.lesson));
         try {
             maker->make(*wanted.workspace, exercise, applied(*wanted.seen.scene, wanted.seen.setup),
                         wanted.seen.setup.options, tell, stop);
         } catch (const std::exception& error) {  // the machine cannot do it
-            learn::mine::News news;
-            news.stand = learn::mine::Stand::not_there;
-            news.words = error.what();
-            tell(std::move(news));
+            learn::mine::PictureUpdate update;
+            update.stand = learn::mine::Stand::not_there;
+            update.words = error.what();
+            tell(std::move(update));
         }
     });
 }
 
-void Background::update_mine(const ViewerState& state, const Seen& seen, Results& results) {
+void Background::update_mine(const ViewerState& state, const PictureRequest& seen, Results& results) {
     const bool shown = shows_mine(state);
     if (!shown && results.mine) results.mine = nullptr, results.other = {};
     const bool possible = shown && exercise_of(state.mine);
-    ask_for_mine(possible ? std::optional(SeenMine{seen, state.mine.workspace, state.mine.lesson, state.mine.saved})
+    ask_for_mine(possible ? std::optional(MineRequest{seen, state.mine.workspace, state.mine.lesson, state.mine.saved})
                           : std::nullopt);
     if (!shown) return;
     const auto& last = results.other.image;
     if (!results.mine || (last && (last->width != seen.scene->width || last->height != seen.scene->height)))
         results.other = {};
-    if (!results.mine) results.mine = std::make_shared<const learn::mine::News>();
+    if (!results.mine) results.mine = std::make_shared<const learn::mine::PictureUpdate>();
 }
 
-void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
+void Background::ask_for_overlay(const std::optional<MeasurementRequest>& wanted) {
     if (overlay_.asked == wanted) return;
     const bool goes_on = overlay_.asked && wanted && overlay_.asked->seen.scene == wanted->seen.scene &&
                          overlay_.asked->what == wanted->what;
@@ -99,18 +100,18 @@ void Background::ask_for_overlay(const std::optional<SeenMeasured>& wanted) {
     if (!wanted) return overlay_.latest.cancel();
     auto work = [wanted = *wanted, engine = engine_, pace = overlay_.pace](const std::stop_token& stop,
                                                                            const auto& deliver) {
-        const Seen& seen = wanted.seen;
+        const PictureRequest& seen = wanted.seen;
         const auto measured = [&](const Scene& scene, int factor, const Job& job) {
-            std::vector<Plane> planes =
+            std::vector<Channel> channels =
                 measure(scene, wanted.seen.setup.options, std::span(&wanted.what, 1), job).front();
-            return std::make_shared<const MeasuredPlanes>(MeasuredPlanes{wanted.what, std::move(planes), factor});
+            return std::make_shared<const MeasuredPlanes>(MeasuredPlanes{wanted.what, std::move(channels), factor});
         };
         coarse_to_fine(applied(*seen.scene, seen.setup), background_job(*engine, seen, stop), *pace, measured, deliver);
     };
     overlay_.latest.ask(std::move(work), goes_on);
 }
 
-void Background::ask_for_boxes(const std::optional<Sorted>& wanted, Results& results) {
+void Background::ask_for_boxes(const std::optional<BoxesRequest>& wanted, Results& results) {
     if (boxes_.asked == wanted) return;
     boxes_.asked = wanted;
     results.boxes = nullptr;  // those of other surfaces
@@ -121,7 +122,7 @@ void Background::ask_for_boxes(const std::optional<Sorted>& wanted, Results& res
     });
 }
 
-void Background::ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted) {
+void Background::ask_for_story(StoryWorker& worker, const std::optional<PixelRequest>& wanted) {
     if (worker.asked == wanted) return;
     worker.asked = wanted;
     if (!wanted) return worker.latest.cancel();
@@ -135,11 +136,11 @@ void Background::ask_for_story(StoryWorker& worker, const std::optional<SeenPixe
 }
 
 void Background::update(const ViewerState& state, Results& results) {
-    const Seen seen{state.scene, state.setup.now()};
+    const PictureRequest seen{state.scene, state.setup.now()};
     ask_for_picture(picture_, seen, true);
 
     const bool with_other = state.beside == Beside::other || state.beside == Beside::difference;
-    Seen other = seen;
+    PictureRequest other = seen;
     other.setup.options.scalar = state.other.scalar;
     other.setup.options.sphere_rule = state.other.sphere_rule;
     other.setup.options.triangle_rule = state.other.triangle_rule;
@@ -148,11 +149,11 @@ void Background::update(const ViewerState& state, Results& results) {
     update_mine(state, seen, results);
 
     const Measurement* const what = find_measurement(state.overlay.measurement);
-    ask_for_overlay(what ? std::optional(SeenMeasured{seen, what}) : std::nullopt);
+    ask_for_overlay(what ? std::optional(MeasurementRequest{seen, what}) : std::nullopt);
     if (!what) results.overlay = nullptr;
 
     const auto at = [&](const std::optional<Pixel>& pixel) {
-        return pixel && lies_on(*state.scene, *pixel) ? std::optional(SeenPixel{seen, *pixel, state.file})
+        return pixel && lies_on(*state.scene, *pixel) ? std::optional(PixelRequest{seen, *pixel, state.file})
                                                       : std::nullopt;
     };
     ask_for_story(story_, at(state.pinned));
@@ -165,7 +166,7 @@ void Background::update(const ViewerState& state, Results& results) {
 
     const bool with_boxes = state.box_level && state.space_shown;
     const int sorted_stage = std::min(seen.setup.options.stage, stage_of_all_surfaces);
-    ask_for_boxes(with_boxes ? std::optional(Sorted{state.scene, sorted_stage}) : std::nullopt, results);
+    ask_for_boxes(with_boxes ? std::optional(BoxesRequest{state.scene, sorted_stage}) : std::nullopt, results);
 
     const auto take = [](auto& worker, auto& into, std::uint64_t& serial) {
         auto result = worker.latest.take();

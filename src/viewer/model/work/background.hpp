@@ -24,39 +24,39 @@ public:
 
 private:
     /// What a picture, or an overlay, is computed from.
-    struct Seen {
+    struct PictureRequest {
         std::shared_ptr<const Scene> scene;
         Setup setup;
 
-        bool operator==(const Seen&) const = default;
+        bool operator==(const PictureRequest&) const = default;
     };
-    struct SeenPixel {
-        Seen seen;
+    struct PixelRequest {
+        PictureRequest seen;
         Pixel pixel;
         std::filesystem::path file;
 
-        bool operator==(const SeenPixel&) const = default;
+        bool operator==(const PixelRequest&) const = default;
     };
-    struct SeenMeasured {
-        Seen seen;
+    struct MeasurementRequest {
+        PictureRequest seen;
         const Measurement* what;
 
-        bool operator==(const SeenMeasured&) const = default;
+        bool operator==(const MeasurementRequest&) const = default;
     };
     /// What a hierarchy is made from.
-    struct Sorted {
+    struct BoxesRequest {
         std::shared_ptr<const Scene> scene;
         int stage;
 
-        bool operator==(const Sorted&) const = default;
+        bool operator==(const BoxesRequest&) const = default;
     };
-    struct SeenMine {
-        Seen seen;
+    struct MineRequest {
+        PictureRequest seen;
         std::shared_ptr<const learn::Workspace> workspace;
         int lesson;
         std::uint64_t saved;
 
-        bool operator==(const SeenMine&) const = default;
+        bool operator==(const MineRequest&) const = default;
     };
     /// A worker, and what it was last asked for.
     template <class What, class Result>
@@ -66,26 +66,27 @@ private:
         std::shared_ptr<Pace> pace = std::make_shared<Pace>();
         Latest<Result> latest;
     };
-    using StoryWorker = Worker<SeenPixel, std::shared_ptr<const Story>>;
+    using StoryWorker = Worker<PixelRequest, std::shared_ptr<const Story>>;
 
     /// Work on what is seen, with the engine at hand.
-    static Job background_job(KeptEngine& engine, const Seen& seen, const std::stop_token& stop);
+    static Job background_job(KeptEngine& engine, const PictureRequest& seen, const std::stop_token& stop);
 
-    void ask_for_picture(Worker<Seen, Picture>& worker, const std::optional<Seen>& seen, bool counted);
-    void ask_for_mine(const std::optional<SeenMine>& wanted);
-    void update_mine(const ViewerState& state, const Seen& seen, Results& results);
-    void ask_for_overlay(const std::optional<SeenMeasured>& wanted);
-    void ask_for_boxes(const std::optional<Sorted>& wanted, Results& results);
-    void ask_for_story(StoryWorker& worker, const std::optional<SeenPixel>& wanted);
+    void ask_for_picture(Worker<PictureRequest, Picture>& worker, const std::optional<PictureRequest>& seen,
+                         bool counted);
+    void ask_for_mine(const std::optional<MineRequest>& wanted);
+    void update_mine(const ViewerState& state, const PictureRequest& seen, Results& results);
+    void ask_for_overlay(const std::optional<MeasurementRequest>& wanted);
+    void ask_for_boxes(const std::optional<BoxesRequest>& wanted, Results& results);
+    void ask_for_story(StoryWorker& worker, const std::optional<PixelRequest>& wanted);
 
     std::shared_ptr<std::atomic<std::int64_t>> pixels_done_;
     std::shared_ptr<KeptEngine> engine_;
-    Worker<Seen, Picture> picture_, other_;
+    Worker<PictureRequest, Picture> picture_, other_;
     std::shared_ptr<learn::mine::Maker> maker_;
-    Worker<SeenMine, std::shared_ptr<const learn::mine::News>> mine_;
-    Worker<SeenMeasured, std::shared_ptr<const MeasuredPlanes>> overlay_;
+    Worker<MineRequest, std::shared_ptr<const learn::mine::PictureUpdate>> mine_;
+    Worker<MeasurementRequest, std::shared_ptr<const MeasuredPlanes>> overlay_;
     StoryWorker story_, compared_;
-    Worker<Sorted, std::shared_ptr<const BoxLevels>> boxes_;
+    Worker<BoxesRequest, std::shared_ptr<const BoxLevels>> boxes_;
 };
 
 }  // namespace glassbox

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/search/ready.hpp"
+#include "render/search/build_engine.hpp"
 #include "render/search/surfaces.hpp"
 
 namespace glassbox {
@@ -13,7 +13,7 @@ std::shared_ptr<const engine::Engine> KeptEngine::of(const std::shared_ptr<const
     const std::lock_guard lock(mutex_);
     if (scene_ != scene || stage_ != knows) {
         engine_ = nullptr;  // first, so that two large ones are never there at once
-        engine_ = ready(*scene, knows, threads);
+        engine_ = build_engine(*scene, knows, threads);
         scene_ = scene;
         stage_ = knows;
     }

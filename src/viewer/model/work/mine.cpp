@@ -27,7 +27,9 @@ MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson) {
             mine.workspace = std::make_shared<const learn::Workspace>(
                 learn::open_workspace(std::filesystem::current_path(), mine.folder));
         std::string complaint;  // told by `learn`
-        const auto progress = [&] { return learn::read_progress(mine.workspace->hidden() / "progress.json", complaint); };
+        const auto progress = [&] {
+            return learn::read_progress(mine.workspace->hidden() / "progress.json", complaint);
+        };
         mine.lesson = lesson ? learn::exercise_called(*mine.workspace, std::to_string(*lesson)).number
                              : learn::present_exercise(*mine.workspace, progress()).number;
         mine.problem.clear();

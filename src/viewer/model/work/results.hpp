@@ -7,8 +7,8 @@
 #include "explain/story.hpp"
 #include "learn/picture/maker.hpp"
 #include "render/image.hpp"
+#include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
-#include "render/measure/plane.hpp"
 #include "viewer/model/story/timeline.hpp"
 
 namespace glassbox {
@@ -24,7 +24,7 @@ struct Picture {
 /// What a measurement measured, perhaps coarsely.
 struct MeasuredPlanes {
     const Measurement* what = nullptr;
-    std::vector<Plane> planes;
+    std::vector<Channel> channels;
     int factor = 1;
 };
 
@@ -34,7 +34,7 @@ struct Results {
     Picture picture, other;  ///< the other one by another scalar or rule, or by the learner's code
     /// How the learner's picture stands; null: it is not shown, or nothing is known yet. While it has no drawing of its
     /// own, `other` is the last one that there was; else `other` is that drawing.
-    std::shared_ptr<const learn::mine::News> mine;
+    std::shared_ptr<const learn::mine::PictureUpdate> mine;
     std::shared_ptr<const MeasuredPlanes> overlay;  ///< null: none
     std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none
     std::vector<Event> timeline;                    ///< of that story; empty without one

@@ -27,12 +27,12 @@ void figure_buttons(ViewerState& state) {
 /// A light that has no direction is not taken.
 void aim(ViewerState& state, const Vec3<double>& position) {
     state.light_refused = !why_no_direction(position).empty();
-    if (!state.light_refused) drag_setup(state, [&](Setup& setup) { setup.light_position = position; });
+    if (!state.light_refused) drag_setup(state, [&](Setup& setup) { setup.light_vector = position; });
 }
 
 void light_direction(const Frame& frame) {
     ViewerState& state = frame.state;
-    const Vec3<double> own = state.scene->light_position, now = state.setup.now().light_position;
+    const Vec3<double> own = state.scene->light_vector, now = state.setup.now().light_vector;
     ImGui::TextUnformatted("Light, from the world's origin");
     double xyz[] = {now.x, now.y, now.z};
     const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -43,7 +43,7 @@ void light_direction(const Frame& frame) {
     ImGui::SameLine(0, gap);
     if (now == own) ImGui::Dummy({button, button});
     else if (ImGui::Button("↺##light", {button, 0}))
-        change_setup(state, [&](Setup& setup) { setup.light_position = own; });
+        change_setup(state, [&](Setup& setup) { setup.light_vector = own; });
     if (!(now == own)) tip("as the scene says");
     if (state.light_refused) {
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.failed);
@@ -53,7 +53,7 @@ void light_direction(const Frame& frame) {
 
     // While one angle is dragged the other two numbers are those that the drag began with: no rounding adds up.
     Pointing angles = pointing(now);
-    const Pointing kept = pointing(state.setup.before_drag().light_position), scenes = pointing(own);
+    const Pointing kept = pointing(state.setup.before_drag().light_vector), scenes = pointing(own);
     const auto slider = [&](const char* label, const char* format, double& value, double least, double most,
                             double scenes_value) {
         ImGui::SetNextItemWidth(-1);

@@ -19,12 +19,13 @@ std::string hovered_text(const Frame& frame) {
     }
     const auto& overlay = frame.results.overlay;
     if (overlay && overlay->factor == 1)
-        for (const Plane& plane : overlay->planes)
-            if (plane.width == scene.width && plane.height == scene.height)
-                text += fmt::format("   {} = {:.6g} {}", plane.name,
-                                    plane.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width) +
-                                                 static_cast<std::size_t>(x)],
-                                    overlay->what->unit);
+        for (const Channel& channel : overlay->channels)
+            if (channel.width == scene.width && channel.height == scene.height)
+                text +=
+                    fmt::format("   {} = {:.6g} {}", channel.name,
+                                channel.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(channel.width) +
+                                               static_cast<std::size_t>(x)],
+                                overlay->what->unit);
     return text;
 }
 

@@ -67,25 +67,25 @@ void draw_tools(const Frame& frame, const Story& story) {
 void draw_one(const Frame& frame, const Story& story, const InspectorPart& part, ImU32 color) {
     const float width = ImGui::GetContentRegionAvail().x;
     switch (part.drawing) {
-        case Drawing::none:
+        case Diagram::none:
             return;
-        case Drawing::sphere:
+        case Diagram::sphere:
             return draw_sphere(frame, story.ray, story.surfaces[*part.surface], width, color);
-        case Drawing::triangle:
+        case Diagram::triangle:
             return draw_triangle(frame, story.ray, story.surfaces[*part.surface], width, color);
-        case Drawing::weights:
+        case Diagram::weights:
             return draw_weights(frame, std::get<story::TriangleTest>(story.surfaces[*part.surface].test), width);
-        case Drawing::angles:
+        case Diagram::angles:
             return draw_angles(frame, *story.hit->shade, width);
-        case Drawing::terms:
+        case Diagram::terms:
             return draw_terms(frame, story, *story.hit->shade, width);
-        case Drawing::bits:
+        case Diagram::bits:
             return draw_bits(frame, story.options, *story.hit, width);
     }
 }
 
 void draw_drawings(const Told& told, const Pair<InspectorPart>& part) {
-    const auto is_drawn = [](const InspectorPart* p) { return p && p->drawing != Drawing::none; };
+    const auto is_drawn = [](const InspectorPart* p) { return p && p->drawing != Diagram::none; };
     if (!is_drawn(part.first) && !is_drawn(part.second)) return;
     const Palette& palette = told.frame.palette;
     const bool beside = told.comparing() && !one_below_the_other();

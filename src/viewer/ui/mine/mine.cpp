@@ -13,7 +13,7 @@ namespace glassbox {
 
 namespace {
 
-using learn::mine::News;
+using learn::mine::PictureUpdate;
 using learn::mine::Stand;
 
 void pin(ViewerState& state, learn::mine::Spot spot) {
@@ -23,8 +23,8 @@ void pin(ViewerState& state, learn::mine::Spot spot) {
 }
 
 /// The line that does not compile, with a caret below the place.
-std::string source_of(const News& news) {
-    return news.error && !news.error->source.empty() ? learn::with_caret(*news.error) : "";
+std::string source_of(const PictureUpdate& update) {
+    return update.error && !update.error->source.empty() ? learn::with_caret(*update.error) : "";
 }
 
 void choose_lesson(const Frame& frame) {
@@ -40,9 +40,9 @@ void choose_lesson(const Frame& frame) {
     }
 }
 
-std::string how_long(const News& news) {
-    std::string text = fmt::format("drawn in {:.2f} s", news.draw_seconds);
-    if (news.compile_seconds > 0) text = fmt::format("compiled in {:.1f} s, ", news.compile_seconds) + text;
+std::string how_long(const PictureUpdate& update) {
+    std::string text = fmt::format("drawn in {:.2f} s", update.draw_seconds);
+    if (update.compile_seconds > 0) text = fmt::format("compiled in {:.1f} s, ", update.compile_seconds) + text;
     return text;
 }
 
@@ -72,9 +72,9 @@ MineSign mine_sign(const Frame& frame) {
 std::string mine_words(const Frame& frame) {
     if (!frame.state.mine.problem.empty()) return frame.state.mine.problem;
     if (!frame.results.mine) return "";
-    const News& news = *frame.results.mine;
-    if (!news.error || news.error->plain.empty()) return news.words;
-    return news.words + "\n" + news.error->plain;
+    const PictureUpdate& update = *frame.results.mine;
+    if (!update.error || update.error->plain.empty()) return update.words;
+    return update.words + "\n" + update.error->plain;
 }
 
 std::string mine_title(const ViewerState& state) {
@@ -118,32 +118,33 @@ void draw_mine_panel(const Frame& frame) {
     choose_lesson(frame);
     const auto [sign, color] = mine_sign(frame);
     const std::string words = mine_words(frame);
-    const News* const news = frame.results.mine.get();
-    const bool drawn = news && news->stand == Stand::drawn;
-    draw_wrapped(color, fmt::format("{} {}", sign, words.empty() && drawn ? how_long(*news) : words));
-    if (!news) return;
-    if (const std::string source = source_of(*news); !source.empty()) {
+    const PictureUpdate* const update = frame.results.mine.get();
+    const bool drawn = update && update->stand == Stand::drawn;
+    draw_wrapped(color, fmt::format("{} {}", sign, words.empty() && drawn ? how_long(*update) : words));
+    if (!update) return;
+    if (const std::string source = source_of(*update); !source.empty()) {
         ImGui::PushFont(frame.fonts.mono);
         ImGui::TextUnformatted(source.c_str());
         ImGui::PopFont();
     }
-    if (news->error && news->error->others > 0)
-        faint(frame, fmt::format("and {} more after it, which it may have caused", news->error->others));
-    if (news->spot && ImGui::Button(fmt::format("Pin ({}, {})", news->spot->x, news->spot->y).c_str()))
-        pin(state, *news->spot);
+    if (update->error && update->error->others > 0)
+        faint(frame, fmt::format("and {} more after it, which it may have caused", update->error->others));
+    if (update->spot && ImGui::Button(fmt::format("Pin ({}, {})", update->spot->x, update->spot->y).c_str()))
+        pin(state, *update->spot);
     if (mine_is_old(frame)) faint(frame, "The picture is the last one that there was.");
-    if (drawn && news->drawing->not_numbers > 0) swatch({255, 0, 255}, "not a number (NaN)");
-    if (drawn && news->drawing->undecided > 0) swatch({255, 160, 0}, "undecided; counted below where it is not ours");
+    if (drawn && update->drawing->not_numbers > 0) swatch({255, 0, 255}, "not a number (NaN)");
+    if (drawn && update->drawing->undecided > 0) swatch({255, 160, 0}, "undecided; counted below where it is not ours");
     const learn::Exercise* const exercise = exercise_of(state.mine);
     if (exercise && state.setup.now().options.scalar != scalar_of(*exercise))
         draw_wrapped(frame.palette.warning,
                      fmt::format("⚠ Ours is not computed in {} now: it may differ from mine by rounding alone.",
                                  name_of(scalar_of(*exercise))));
-    if (news->said.empty()) return;
+    if (update->said.empty()) return;
     faint(frame, "It printed:");
     ImGui::PushFont(frame.fonts.mono);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(news->said.c_str(), news->said.c_str() + std::min<std::size_t>(news->said.size(), 2000));
+    ImGui::TextUnformatted(update->said.c_str(),
+                           update->said.c_str() + std::min<std::size_t>(update->said.size(), 2000));
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }

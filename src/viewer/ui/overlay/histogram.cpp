@@ -123,10 +123,10 @@ void draw_ticks(ImDrawList& list, const Plot& plot) {
 /// What is measured at a pixel; nothing while only a coarse picture is there.
 std::optional<double> value_at(const Frame& frame, int axis, const std::optional<Pixel>& pixel) {
     const MeasuredPlanes& measured = *frame.results.overlay;
-    const Plane& plane = measured.planes[static_cast<std::size_t>(std::max(axis, 0))];
-    if (!pixel || measured.factor > 1 || pixel->x >= plane.width || pixel->y >= plane.height) return {};
-    return plane.values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(plane.width) +
-                        static_cast<std::size_t>(pixel->x)];
+    const Channel& channel = measured.channels[static_cast<std::size_t>(std::max(axis, 0))];
+    if (!pixel || measured.factor > 1 || pixel->x >= channel.width || pixel->y >= channel.height) return {};
+    return channel.values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(channel.width) +
+                          static_cast<std::size_t>(pixel->x)];
 }
 
 float x_of(const Plot& plot, double value) {
@@ -163,7 +163,7 @@ void draw_pins(ImDrawList& list, const Plot& plot) {
 void say_pin(const Frame& frame, const std::optional<Pixel>& pixel, ImU32 color, const char* name) {
     const MeasuredPlanes& measured = *frame.results.overlay;
     std::string values;
-    for (std::size_t i = 0; i < measured.planes.size(); ++i) {
+    for (std::size_t i = 0; i < measured.channels.size(); ++i) {
         const auto value = value_at(frame, static_cast<int>(i), pixel);
         if (!value) return;
         values += (i > 0 ? ", " : "") + legend_number(*value, 6);

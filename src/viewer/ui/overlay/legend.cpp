@@ -175,7 +175,7 @@ void draw_legend(const Frame& frame) {
     const bool any = summary.any_finite() || summary.negative_infinite + summary.positive_infinite > 0;
     if (!any && summary.missing > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.warning);
-        ImGui::TextWrapped("No pixel has a value (%s).", measured->planes.front().why_no_value.c_str());
+        ImGui::TextWrapped("No pixel has a value (%s).", measured->channels.front().why_no_value.c_str());
         ImGui::PopStyleColor();
         return;
     }

@@ -93,7 +93,7 @@ std::vector<std::string> numbers_in(const Canvas& canvas, int x, int y, bool ove
     };
     std::vector<std::string> lines;
     if (overlaid) {
-        for (const Plane& plane : results.overlay->planes) {
+        for (const Channel& plane : results.overlay->channels) {
             const double value = plane.values[index(plane.width)];
             lines.push_back(std::isnan(value) ? "–" : legend_number(value));
         }
@@ -117,8 +117,8 @@ void draw_numbers(const Canvas& canvas) {
         picture.image->height != scene.height)
         return;
     const auto& overlay = frame.results.overlay;
-    const bool measured = overlay && overlay->factor == 1 && overlay->planes.front().width == scene.width &&
-                          overlay->planes.front().height == scene.height;
+    const bool measured = overlay && overlay->factor == 1 && overlay->channels.front().width == scene.width &&
+                          overlay->channels.front().height == scene.height;
     const Pixel first = canvas.first(), last = canvas.last();
     const float room = static_cast<float>(zoom);
     for (int y = first.y; y <= last.y; ++y)
@@ -290,7 +290,7 @@ void draw_picture(const Frame& frame) {
     draw_grid(canvas);
     draw_numbers(canvas);
     draw_watched_place(frame, canvas.list, canvas.corner);
-    const learn::mine::News* const mine = shows_mine(state) ? frame.results.mine.get() : nullptr;
+    const learn::mine::PictureUpdate* const mine = shows_mine(state) ? frame.results.mine.get() : nullptr;
     if (mine && mine->spot)
         draw_pin(canvas, {mine->spot->x, mine->spot->y}, mine_sign(frame).color, mine_sign(frame).sign);
     if (state.compared) draw_pin(canvas, *state.compared, frame.palette.second, "2");

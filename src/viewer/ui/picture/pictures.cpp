@@ -69,10 +69,10 @@ void Pictures::update(const ViewerState& state, const Results& results) {
     const bool other_overlay = renewed(overlay_serial_, results.overlay_serial);
     if (!results.overlay) distributions_.clear();
     else if (other_overlay || other_range || distributions_.empty()) {
-        const auto& [what, planes, factor] = *results.overlay;
-        fill(overlay_, colored({what, planes}, state.overlay.range));
+        const auto& [what, channels, factor] = *results.overlay;
+        fill(overlay_, colored({what, channels}, state.overlay.range));
         distributions_.clear();
-        for (const Plane& plane : planes) distributions_.push_back(distribution(*what, plane, state.overlay.range));
+        for (const Channel& plane : channels) distributions_.push_back(distribution(*what, plane, state.overlay.range));
     }
 
     const Picture &one = results.picture, &other = results.other;

@@ -8,7 +8,7 @@
 namespace glassbox {
 
 /// A scene's surfaces in the engine, as far as a stage knows them: made once, they serve every view of the scene.
-std::shared_ptr<const engine::Engine> ready(const Scene& scene, int stage, int threads = 0);
+std::shared_ptr<const engine::Engine> build_engine(const Scene& scene, int stage, int threads = 0);
 
 /// Whether the engine answers as the options ask: it proves its answers, and knows surfaces by where they lie. Rules
 /// that are history hit triangles where they are not, and miss spheres where they are.

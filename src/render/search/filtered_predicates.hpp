@@ -26,48 +26,51 @@ struct ProvenHit {
     double farthest;  ///< no true t is beyond this; nearly t, for a triangle that is hit for sure
 };
 
-/// Decides about one ray and one surface, and which of two is nearer, and is right: plain double where an a-priori
-/// bound decides, running bounds where it does not or two hits must be told apart, exact arithmetic where they do not
-/// either. All three run the core's own formulas. Surfaces at the same distance are told apart exactly; of equals the
-/// one listed last wins.
+/// Decides whether a ray meets a surface, and which of two it meets first. Correct always. Tries double with an
+/// a-priori bound, then Bounded, then Exact, each only where the one before leaves the answer open; all three run the
+/// core's own formulas. Surfaces at the same distance are compared exactly; of equals the one listed last wins.
 ///
 /// `Store` keeps the surfaces: `with_surface(number, use)` calls `use` with one of them, and `errors(surface, number,
 /// ray)` bounds the rounding of the doubles that decide about it.
 template <class Store>
-class Prover {
+class FilteredPredicates {
 public:
     /// With `only_exact` nothing is left to bounds.
-    Prover(Store store, const SphereRule& sphere_rule, const TriangleRule& triangle_rule, bool only_exact)
+    FilteredPredicates(Store store, const SphereRule& sphere_rule, const TriangleRule& triangle_rule, bool only_exact)
         : store_(std::move(store)), sphere_rule_{sphere_rule}, triangle_rule_{triangle_rule}, only_exact_(only_exact) {}
 
     const Store& store() const { return store_; }
 
-    /// Tests one surface, and takes it for the best so far if the ray meets it first of all.
+    /// Tests one surface, and makes it the best so far if the ray meets it first of all.
     template <class Shape, class Probe>
     void test(std::optional<ProvenHit>& best, const Ray<double>& ray, const Shape& shape, std::size_t surface,
               Probe& probe) const {
-        Evidence evidence{probe, sides_decide()};
-        intersect(ray, shape, rule_for(shape), evidence);
-        if (!(evidence.of_a_miss > deciding(store_.errors(shape, surface, ray)))) consider(best, ray, surface, probe);
+        DecidingNumbers numbers{probe, sides_decide()};
+        intersect(ray, shape, rule_for(shape), numbers);
+        const bool is_missed = numbers.of_a_miss > deciding(store_.errors(shape, surface, ray));
+        if (!is_missed) consider(best, ray, surface, probe);
     }
 
-    /// Takes a surface that may not be missed for the best so far if the ray meets it, and no farther away.
+    /// Makes a surface the best so far if the ray meets it, and no farther away. For those that `test`, or the engine,
+    /// did not prove to be missed.
     template <class Probe>
     [[gnu::noinline]] void consider(std::optional<ProvenHit>& best, const Ray<double>& ray, std::size_t surface,
                                     Probe& probe) const {
-        std::optional<ProvenHit> hit = sure_hit(ray, surface);
-        if (!hit) hit = crossing(ray, surface, probe);
+        std::optional<ProvenHit> hit = met(ray, surface, probe);
         if (!hit) return;
         probe(told::Met{}, surface, hit->told_t);
-        if (!best || !is_farther(ray, *hit, *best)) best = hit;
+        if (best) {
+            *hit = with_bound(ray, *hit);
+            *best = with_bound(ray, *best);
+            if (is_farther(ray, *hit, *best)) return;
+        }
+        best = hit;
     }
 
     /// t of a surface that the ray meets, in double: the same whatever else the ray meets.
     double t_of(const Ray<double>& ray, std::size_t surface) const {
         const Silent silent;
-        std::optional<ProvenHit> hit = sure_hit(ray, surface);
-        if (!hit) hit = crossing(ray, surface, silent);
-        return hit->told_t;
+        return met(ray, surface, silent)->told_t;
     }
 
     /// t of a surface that the ray meets, nearly as well as a double can say it.
@@ -91,10 +94,17 @@ public:
     }
 
 private:
-    /// Hands on what it is told, and keeps how far the numbers that decide are on the side of a miss: the negative of
-    /// the discriminant, or for side products of both signs the smaller of the two largest; and on that of a hit.
+    /// What one stage says of a surface: a hit, a miss (sure, and no hit), or nothing.
+    struct Answer {
+        bool is_sure = false;
+        std::optional<ProvenHit> hit = {};
+    };
+
+    /// A probe that passes on what it hears and keeps how far the numbers that decide are on the side of a miss: the
+    /// negative of the discriminant, or of side products of both signs the smaller of the two largest; and on that of a
+    /// hit.
     template <class Probe>
-    struct Evidence {
+    struct DecidingNumbers {
         Probe& listener;
         bool sides_decide;
         double of_a_miss = -1, of_a_hit = -1;
@@ -115,7 +125,7 @@ private:
         }
     };
     template <class Probe>
-    Evidence(Probe&, bool) -> Evidence<Probe>;
+    DecidingNumbers(Probe&, bool) -> DecidingNumbers<Probe>;
 
     /// Whether the side products are all that decides about a triangle.
     bool sides_decide() const { return std::holds_alternative<Pluecker>(triangle_rule_.rule); }
@@ -126,25 +136,69 @@ private:
     const Chosen<SphereRule>& rule_for(const Sphere<double>&) const { return sphere_rule_; }
     const Chosen<TriangleRule>& rule_for(const Triangle<double>&) const { return triangle_rule_; }
 
-    /// What plain double says, if it is a hit for sure. Done again for the few surfaces that are not missed: the loop
-    /// over all of them is faster when it need not keep t.
-    std::optional<ProvenHit> sure_hit(const Ray<double>& ray, std::size_t surface) const {
-        return with_rule(surface, [&](const auto& shape, const auto& rule) -> std::optional<ProvenHit> {
+    /// Calls `use` with the surface of that number and the rule for its kind.
+    template <class Use>
+    auto with_rule(std::size_t surface, const Use& use) const {
+        return store_.with_surface(surface, [&](const auto& shape) { return use(shape, rule_for(shape)); });
+    }
+
+    /// Where the ray meets a surface, if it does, by the first stage that is sure.
+    template <class Probe>
+    std::optional<ProvenHit> met(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
+        if (const Answer filtered = by_filter(ray, surface); filtered.is_sure) return filtered.hit;
+        return bounded_or_exact(ray, surface, probe);
+    }
+
+    template <class Probe>
+    std::optional<ProvenHit> bounded_or_exact(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
+        if (!only_exact_)
+            if (const Answer bounded = by_bounds(ray, surface); bounded.is_sure) return bounded.hit;
+        probe(told::Undecided{}, surface);
+        return by_exact(ray, surface);
+    }
+
+    /// Stage 1: plain double beside its a-priori bound. Here it proves hits only; `test` has taken out what it proves
+    /// to be missed. The loop over all surfaces is faster when it need not keep t, so the few that are left are done
+    /// again.
+    Answer by_filter(const Ray<double>& ray, std::size_t surface) const {
+        return with_rule(surface, [&](const auto& shape, const auto& rule) -> Answer {
             const Silent silent;
-            Evidence evidence{silent, sides_decide()};
-            const Crossing<double> plain = intersect(ray, shape, rule, evidence);
+            DecidingNumbers numbers{silent, sides_decide()};
+            const Crossing<double> plain = intersect(ray, shape, rule, numbers);
             if (!plain.met) return {};
             const auto& errors = store_.errors(shape, surface, ray);
-            if (!is_sure(ray, shape, errors, evidence.of_a_hit)) return {};
-            return ProvenHit{surface, {plain.t, not_bounded}, plain.t, farthest(ray, shape, errors, plain.t)};
+            if (!is_sure_hit(ray, shape, errors, numbers.of_a_hit)) return {};
+            return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, farthest(ray, shape, errors, plain.t)}};
         });
+    }
+
+    /// Stage 2: running bounds.
+    Answer by_bounds(const Ray<double>& ray, std::size_t surface) const {
+        const Crossing<Bounded> crossing = with_rule(surface, [&](const auto& shape, const auto& rule) {
+            const Silent silent;
+            return intersect(convert<Bounded>(ray), convert<Bounded>(shape), rule, silent);
+        });
+        if (!possibly(crossing.met)) return {true, {}};
+        if (!surely(crossing.met)) return {};
+        return {true, hit_at(surface, crossing.t)};
+    }
+
+    /// Stage 3: no rounding at all.
+    std::optional<ProvenHit> by_exact(const Ray<double>& ray, std::size_t surface) const {
+        const std::optional<TrueT> t = true_t(ray, surface);
+        if (!t) return {};
+        return hit_at(surface, t->to_bounded());
+    }
+
+    static ProvenHit hit_at(std::size_t surface, const Bounded& t) {
+        return {surface, t, t.value, Bounded::up(std::abs(t.value) + t.error)};
     }
 
     /// Where Δ is surely positive and P surely outside, v² − r² > 0, (v·D)² = Δ + D²(v² − r²) is so far from 0 that v·D
     /// has the right sign, too: both roots lie on the side that it tells. Where P is surely inside, one root lies
     /// ahead. Stable finds roots of the right signs in both cases; Textbook, which cancels, need not.
-    bool is_sure(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
-                 double discriminant) const {
+    bool is_sure_hit(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
+                     double discriminant) const {
         if (!std::holds_alternative<Stable>(sphere_rule_.rule) || !(discriminant > errors.discriminant)) return false;
         const Vec3<double> v = ray.P - sphere.c;
         return std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power;
@@ -152,8 +206,8 @@ private:
 
     /// Where the side products are surely of one sign the line goes through the triangle, and where each vertex lies
     /// surely ahead so does their weighted mean, the point that it meets.
-    static bool is_sure(const Ray<double>& ray, const Triangle<double>& triangle, const filter::TriangleErrors& errors,
-                        double least_side) {
+    static bool is_sure_hit(const Ray<double>& ray, const Triangle<double>& triangle,
+                            const filter::TriangleErrors& errors, double least_side) {
         if (!(least_side > errors.side)) return false;
         const auto& [A, B, C] = seen_from(ray.P, triangle);
         return std::min({dot(ray.D, A), dot(ray.D, B), dot(ray.D, C)}) > errors.distance;
@@ -180,49 +234,17 @@ private:
         return (t + (3 * errors.side * spread / weights + errors.distance) / D2) * (1 + 0x1p-45);
     }
 
-    Crossing<Bounded> bounded_crossing(const Ray<double>& ray, std::size_t surface) const {
-        return with_rule(surface, [&](const auto& shape, const auto& rule) {
-            const Silent silent;
-            return intersect(convert<Bounded>(ray), convert<Bounded>(shape), rule, silent);
-        });
-    }
-
-    /// Calls `use` with the surface of that number and the rule for its kind.
-    template <class Use>
-    auto with_rule(std::size_t surface, const Use& use) const {
-        return store_.with_surface(surface, [&](const auto& shape) { return use(shape, rule_for(shape)); });
-    }
-
-    /// Where the ray meets the surface, if it does: with a bound.
-    template <class Probe>
-    std::optional<ProvenHit> crossing(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
-        const auto hit = [&](const Bounded& t) {
-            return ProvenHit{surface, t, t.value, Bounded::up(std::abs(t.value) + t.error)};
-        };
-        if (!only_exact_) {
-            const Crossing<Bounded> bounded = bounded_crossing(ray, surface);
-            if (!possibly(bounded.met)) return {};
-            if (surely(bounded.met)) return hit(bounded.t);
-        }
-        probe(told::Undecided{}, surface);
-        const std::optional<TrueT> t = true_t(ray, surface);
-        if (!t) return {};
-        return hit(t->to_bounded());
-    }
-
     /// The same hit, its t with a bound.
     ProvenHit with_bound(const Ray<double>& ray, const ProvenHit& hit) const {
         if (hit.t.error != not_bounded) return hit;
         const Silent silent;
         ProvenHit bounded = hit;
-        bounded.t = crossing(ray, hit.surface, silent)->t;
+        bounded.t = bounded_or_exact(ray, hit.surface, silent)->t;
         return bounded;
     }
 
-    /// Bounds both t where it has to. At the same t the one that is listed first is taken for the farther.
-    bool is_farther(const Ray<double>& ray, ProvenHit& one, ProvenHit& other) const {
-        one = with_bound(ray, one);
-        other = with_bound(ray, other);
+    /// Of two hits with bounds. At the same t the one that is listed first is taken for the farther.
+    bool is_farther(const Ray<double>& ray, const ProvenHit& one, const ProvenHit& other) const {
         if (surely(one.t > other.t)) return true;
         if (surely(one.t < other.t)) return false;
         const int order = compare(*true_t(ray, one.surface), *true_t(ray, other.surface));

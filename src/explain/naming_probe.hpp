@@ -12,7 +12,7 @@ namespace glassbox {
 
 /// The probe that gives recorded numbers the names that the formulas tell, and keeps them.
 template <class Real>
-struct Heard {
+struct NamingProbe {
     using Number = Recorded<Real>;
 
     std::optional<Number> discriminant, t0, t1;

@@ -1,4 +1,4 @@
-#include "render/measure/judge.hpp"
+#include "render/measure/reference_search.hpp"
 
 #include <bounded.hpp>
 
@@ -92,7 +92,7 @@ double lost(long double t, const Exact& truth, Scalar scalar) {
 
 }  // namespace
 
-TrueHits Judge::true_hits(const Ray<double>& ray) const {
+TrueHits ReferenceSearch::true_hits(const Ray<double>& ray) const {
     ExhaustiveSearch search(*engine_, ray);
     const std::optional<engine::BoxRay> boxes = engine_->size() > few ? engine::box_ray(ray, *engine_) : std::nullopt;
     if (!boxes) {
@@ -106,7 +106,7 @@ TrueHits Judge::true_hits(const Ray<double>& ray) const {
     return search.result();
 }
 
-void Judge::judge(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const {
+void ReferenceSearch::compare(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const {
     constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
     if (!is_valid(ray)) return;
     const TrueHits found = true_hits(ray);

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 #include "scene/printable.hpp"
 
 namespace glassbox::learn {
@@ -65,7 +65,7 @@ std::string crash(const Outcome& outcome) {
 
 }  // namespace
 
-std::string in_words(const Outcome& outcome) {
+std::string how_it_ended(const Outcome& outcome) {
     switch (outcome.end) {
         case End::exited:
             if (outcome.last_words.kind == LastWords::left)

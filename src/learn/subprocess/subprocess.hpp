@@ -71,6 +71,6 @@ Outcome run(const Command& command, const std::stop_token& stop = {});
 
 /// An end that is not well, in words for someone who learns to program, without a full stop: "it followed a null
 /// pointer (address 0x8)", "it ran for 5 s without ending: an endless loop?". Empty if all was well.
-std::string in_words(const Outcome& outcome);
+std::string how_it_ended(const Outcome& outcome);
 
 }  // namespace glassbox::learn

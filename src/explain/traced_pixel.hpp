@@ -14,7 +14,7 @@
 namespace glassbox {
 
 /// What the renderer itself says about one pixel, with its own scalar and rules.
-struct Verdict {
+struct TracedPixel {
     Ray<double> ray;
     Rgb color;
     std::optional<Hit<double>> nearest;
@@ -23,6 +23,6 @@ struct Verdict {
     std::vector<std::size_t> needed_exact;  ///< those that error bounds could not decide
 };
 
-Verdict verdict(const Scene& scene, const Options& options, int x, int y, const Job& job);
+TracedPixel traced_pixel(const Scene& scene, const Options& options, int x, int y, const Job& job);
 
 }  // namespace glassbox

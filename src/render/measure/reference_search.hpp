@@ -19,12 +19,12 @@ struct TrueHits {
 /// surface is asked, with running bounds and, where they do not tell, exactly; none is passed over for lying behind
 /// another, and distances that bounds do not tell apart are compared exactly. Only in scenes of more surfaces than
 /// `few` are those left out whose boxes the ray surely misses.
-class Judge {
+class ReferenceSearch {
 public:
     static constexpr std::size_t few = 2000;
 
     /// Of the surfaces in the engine.
-    explicit Judge(std::shared_ptr<const engine::Engine> engine) : engine_(std::move(engine)) {}
+    explicit ReferenceSearch(std::shared_ptr<const engine::Engine> engine) : engine_(std::move(engine)) {}
 
     /// `ray` must be valid.
     TrueHits true_hits(const Ray<double>& ray) const;
@@ -34,7 +34,7 @@ public:
 
     /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `scalar` is
     /// the one that found it.
-    void judge(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const;
+    void compare(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const;
 
 private:
     std::shared_ptr<const engine::Engine> engine_;

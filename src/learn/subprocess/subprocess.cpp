@@ -1,4 +1,4 @@
-#include "learn/subprocess/child.hpp"
+#include "learn/subprocess/subprocess.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>

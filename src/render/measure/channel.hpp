@@ -9,7 +9,7 @@ namespace glassbox {
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// One number a pixel: row by row, from the top left, like an Image. `no_value` where there is none.
-struct Plane {
+struct Channel {
     std::string name;  ///< as in files: "depth", "n.l", "normal.x"
     int width = 0;
     int height = 0;
