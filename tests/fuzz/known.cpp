@@ -36,11 +36,35 @@ Drawn far_eye(double scale) {
     return drawn;
 }
 
+/// The ray starts on the second sphere and meets the first one before it leaves that.
+Drawn starts_on_a_sphere() {
+    Drawn drawn{"known", {}, {}, 1, 1, {}};
+    drawn.view = Parallel{{-20, -4, -2}, {1, 0, 0}, {0, 1, 0}, {2, 1, -2}};
+    drawn.surfaces.spheres = {{{-16, 0, -8}, 4}, {{-14, -4, -10}, 10}};
+    return drawn;
+}
+
+/// t overflows where the direction is short, and is subnormal where all is.
+Drawn sphere_of_size(double size, double length_of_D) {
+    Drawn drawn{"known", {}, {}, 1, 1, {}};
+    drawn.view = Parallel{{size / 2, 0, 4 * size}, {size, 0, 0}, {0, size, 0}, {0, 0, -length_of_D}};
+    drawn.surfaces.spheres = {{{0, 0, 0}, size}};
+    return drawn;
+}
+
 }  // namespace
 
 std::vector<Drawn> known() {
-    return {
-        weights_at_their_bound(), squares_of_few_bits(), far_eye(1e12), far_eye(1e15), far_eye(1e80), far_eye(1e-90)};
+    return {weights_at_their_bound(),
+            squares_of_few_bits(),
+            far_eye(1e12),
+            far_eye(1e15),
+            far_eye(1e80),
+            far_eye(1e-90),
+            starts_on_a_sphere(),
+            sphere_of_size(1e180, 1e-150),
+            sphere_of_size(1e-314, 1e-90),
+            sphere_of_size(1e-314, 1)};
 }
 
 }  // namespace glassbox::fuzz

@@ -139,3 +139,42 @@ TEST_CASE_TEMPLATE("a normal is the same at every size", Real, float, double, lo
     const Sphere<Real> far_off{{262144, -1048576, -1048576}, std::ldexp(Real(1), least / 2)};
     CHECK(close(normal_at(Ray<Real>{far_off.c, {0, 0, -1}}, far_off.r, far_off), {0, 0, -1}));
 }
+
+TEST_CASE("a normal is the same where t overflows or is subnormal") {
+    // About the origin, radius 2. From (1, 0, 10) along −z the sphere is met at z = √3, from inside, at (1, 0, 0), at
+    // z = −√3. Times powers of two that make t more than any double, or leave it 24 bits.
+    const double root3 = std::sqrt(3.0);
+    for (const auto [size, of_D] : {std::pair{600, -500}, {1000, -1000}, {-1050, 0}, {-1050, -300}, {-1050, 300}}) {
+        CAPTURE(size);
+        CAPTURE(of_D);
+        const auto length = [&](double x) { return std::ldexp(x, size); };
+        const Sphere<double> sphere{{}, length(2)};
+        const Vec3<double> D{0, 0, -std::ldexp(1.0, of_D)};
+        const Ray<double> from_outside{{length(1), 0, length(10)}, D}, from_inside{{length(1), 0, 0}, D};
+        for (const auto& [ray, z, t] : {std::tuple{from_outside, 1.0, 10 - root3}, {from_inside, -1.0, root3}}) {
+            const Vec3<double> n = normal_at(ray, std::ldexp(t, size - of_D), sphere);
+            CHECK(std::abs(n.x - 0.5) <= 1e-15);
+            CHECK(n.y == 0);
+            CHECK(std::abs(n.z - z * root3 / 2) <= 1e-15);
+        }
+    }
+}
+
+TEST_CASE("a ray that starts on a sphere, and meets another one first, is judged rightly") {
+    // D = (2, 1, −2), D² = 9. From the second centre P is (−6, 0, 8), at distance 10, its radius: t₀ = 0 does not
+    // count, and t₁ = 2·28/9. From the first it is (−4, −4, 6): Δ = 24² − 9(68 − 16) = 108, t₀ = (24 − √108)/9, which
+    // is less.
+    Scene scene;
+    scene.width = scene.height = 1;
+    scene.view = ParallelView{{-20, -4, -2}, {1, 0, 0}, {0, 1, 0}, {2, 1, -2}};
+    scene.spheres = {{{-16, 0, -8}, 4, green}, {{-14, -4, -10}, 10, red}};
+    for (const Scalar scalar : {Scalar::certified, Scalar::double_, Scalar::long_double}) {
+        Options options;
+        options.stage = 3;
+        options.scalar = scalar;
+        CHECK(render(scene, options).at(0, 0) == green);
+        CHECK(measured(scene, options, "verdict") == 0);
+        CHECK(measured(scene, options, "bits-lost") <= 3);
+    }
+    CHECK(measured(scene, {}, "hits") == 2);
+}

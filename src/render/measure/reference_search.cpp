@@ -35,8 +35,9 @@ public:
                 if (!t) return;
             }
             ++hits_;
-            if (!nearest_ || is_before({surface, crossing.t, t}, *nearest_))
-                nearest_ = Met{surface, t ? t->to_bounded() : crossing.t, std::move(t)};
+            // Where bounds left open whether it is met, they left open which root counts, too.
+            const Met met{surface, t ? t->to_bounded() : crossing.t, t};
+            if (!nearest_ || is_before(met, *nearest_)) nearest_ = met;
         });
     }
 
