@@ -65,7 +65,7 @@ void Canvas::dot(ImVec2 middle, ImU32 color, bool filled) const {
 
 void Canvas::box(ImVec2 low, ImVec2 high, ImU32 fill) const {
     list_->AddRectFilled(low, high, fill);
-    list_->AddRect(low, high, palette_.line, 0, 0, pixel_);
+    list_->AddRect(low, high, palette_.line, 0.f, 0, pixel_);
 }
 
 float Canvas::text_width(std::string_view text) const {

@@ -176,7 +176,7 @@ void draw_title(const Story& story, const Palette& palette, ImU32 color, const c
     ImGui::Dummy({side, side});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, {low.x + side, low.y + side}, to_color(story.color));
-    list.AddRect(low, {low.x + side, low.y + side}, color, 0, 0, std::max(2.f, side / 18));
+    list.AddRect(low, {low.x + side, low.y + side}, color, 0.f, 0, std::max(2.f, side / 18));
     ImGui::SameLine();
     ImGui::BeginGroup();
     draw_wrapped(color, fmt::format("{}Pixel ({}, {})", digit, story.x, story.y));

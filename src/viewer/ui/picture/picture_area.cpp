@@ -150,8 +150,8 @@ void draw_pin(const Canvas& canvas, Pixel pixel, ImU32 color, const char* name) 
     const float least = 9;
     if (const float grow = (least - (to.x - from.x)) / 2; grow > 0)
         from.x -= grow, from.y -= grow, to.x += grow, to.y += grow;
-    canvas.list.AddRect({from.x - 2, from.y - 2}, {to.x + 2, to.y + 2}, IM_COL32(0, 0, 0, 255), 0, 0, 3);
-    canvas.list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0, 0, 2);
+    canvas.list.AddRect({from.x - 2, from.y - 2}, {to.x + 2, to.y + 2}, IM_COL32(0, 0, 0, 255), 0.f, 0, 3.f);
+    canvas.list.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, color, 0.f, 0, 2.f);
     const ImVec2 size = ImGui::CalcTextSize(name);
     const bool room_above =
         from.y - size.y > canvas.corner.y + 1.5f * ImGui::GetFontSize();  // below the split's labels

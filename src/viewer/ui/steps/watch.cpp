@@ -76,9 +76,9 @@ void draw_watched_place(const Frame& frame, ImDrawList& list, ImVec2 corner) {
     const float r = std::max(ImGui::GetFontSize() / 3, static_cast<float>(state.view.zoom) / 2 + 2);
     const ImVec2 middle = at(x + .5, y + .5);
     list.AddLine(at(x + .5, 0), at(x + .5, scene.height), frame.palette.line, 1);
-    list.AddRect({middle.x - r - 1, middle.y - r - 1}, {middle.x + r + 1, middle.y + r + 1}, IM_COL32(0, 0, 0, 255), 0,
-                 0, 3);
-    list.AddRect({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, frame.palette.warning, 0, 0, 2);
+    list.AddRect({middle.x - r - 1, middle.y - r - 1}, {middle.x + r + 1, middle.y + r + 1}, IM_COL32(0, 0, 0, 255),
+                 0.f, 0, 3.f);
+    list.AddRect({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, frame.palette.warning, 0.f, 0, 2.f);
     const std::string text = fmt::format("j = {}, i = {}", now->column, now->row);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // On whichever side there is room.
