@@ -39,7 +39,7 @@ struct LearnRequest {
 /// A stranger's folder may have programs in it that look as if we had made them: isolated, ours are made elsewhere.
 Workspace workspace_for(const LearnRequest& request) {
     Workspace workspace = open_workspace(fs::current_path(), request.folder);
-    if (request.isolated) workspace.hidden_elsewhere = workspace.root / "my" / ".glassbox" / "isolated";
+    if (request.isolated) workspace.hidden_elsewhere = workspace.usual_folder / ".glassbox" / "isolated";
     return workspace;
 }
 

@@ -7,21 +7,13 @@
 
 #include "cli/did_you_mean.hpp"
 #include "scene/error.hpp"
+#include "scene/shipped.hpp"
 
 namespace glassbox {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path program() {
-    std::error_code none;
-#ifdef __APPLE__
-    return {};
-#else
-    return fs::read_symlink("/proc/self/exe", none);
-#endif
-}
 
 /// The scene that comes with Glassbox of that name, with or without folder and ending; empty if there is none.
 fs::path shipped_scene(const fs::path& name) {
@@ -58,12 +50,8 @@ Error no_such_scene(const std::string& typed) {
 }  // namespace
 
 fs::path shipped_scenes() {
-    const fs::path bin = program().parent_path();
-    for (const fs::path& folder : {bin / "../share/glassbox/scenes", fs::path(GLASSBOX_SCENES)}) {
-        std::error_code none;
-        if (fs::is_directory(folder, none)) return folder.lexically_normal();
-    }
-    return {};
+    const fs::path folder = shipped_folder();
+    return folder.empty() ? folder : folder / "scenes";
 }
 
 fs::path scene_path(const std::string& typed) {

@@ -174,8 +174,8 @@ std::string error_text(const CompileError& error, const Paint& paint) {
 std::string command_line(const Workspace& workspace, std::string_view words) {
     std::error_code failed;
     const bool at_root = fs::equivalent(fs::current_path(failed), workspace.root, failed);
-    std::string line = fmt::format("{} learn {}", at_root ? "./glassbox" : "glassbox", words);
-    if (workspace.folder != workspace.root / "my") line += " --folder " + shell_word(shown(workspace.folder));
+    std::string line = fmt::format("{} learn {}", at_root ? workspace.program : "glassbox", words);
+    if (workspace.folder != workspace.usual_folder) line += " --folder " + shell_word(shown(workspace.folder));
     return line;
 }
 

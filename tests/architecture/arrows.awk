@@ -10,6 +10,7 @@ BEGIN {
     allow("explain", "render engine scene numerics")
     allow("viewer", "learn explain output render engine scene numerics")
     allow("learn", "explain output render scene numerics")
+    allow("library", "render engine scene numerics")
     allow("bench", "render engine scene numerics")
     allow("cli", "bench learn viewer explain output render engine scene numerics")
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "output/whole_file.hpp"
+#include "scene/shipped.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 
@@ -27,10 +28,10 @@ fs::path find_root(const fs::path& here) {
         if (has_lessons(folder)) return folder;
         if (folder == folder.parent_path()) break;
     }
-    if (has_lessons(GLASSBOX_SOURCE_DIR)) return GLASSBOX_SOURCE_DIR;
+    if (has_lessons(shipped_folder())) return shipped_folder();
     throw Error(
-        "glassbox learn: error: the lessons are not here, nor where this program was built; go into the folder of "
-        "Glassbox's source, the one with lessons/ in it");
+        "glassbox learn: error: the lessons are not here, nor where this program was built or installed; go into the "
+        "folder of Glassbox's source, the one with lessons/ in it");
 }
 
 void write_text(const fs::path& path, const std::string& text) { write_whole(path, std::as_bytes(std::span(text))); }
@@ -38,11 +39,14 @@ void write_text(const fs::path& path, const std::string& text) { write_whole(pat
 }  // namespace
 
 Workspace open_workspace(const fs::path& here, const fs::path& folder) {
+    std::error_code none;
     Workspace workspace;
     workspace.root = find_root(here);
-    workspace.folder = folder.empty() ? workspace.root / "my" : fs::absolute(here / folder).lexically_normal();
+    const bool is_installed = !fs::exists(workspace.root / "CMakeLists.txt", none);
+    if (is_installed) workspace.program = "glassbox";
+    workspace.usual_folder = (is_installed ? fs::absolute(here).lexically_normal() : workspace.root) / "my";
+    workspace.folder = folder.empty() ? workspace.usual_folder : fs::absolute(here / folder).lexically_normal();
     if (!workspace.folder.has_filename()) workspace.folder = workspace.folder.parent_path();  // "my/"
-    std::error_code none;
     if (fs::exists(workspace.folder, none) && !fs::is_directory(workspace.folder, none))
         throw error_at({folder.string()}, "this is not a folder; name a folder, or one that is to be made");
     workspace.exercises = read_exercises(workspace.root);
@@ -132,8 +136,8 @@ std::vector<fs::path> reset(const Workspace& workspace, const Exercise& exercise
 std::string read_header(const Workspace& workspace, const Exercise& exercise, const std::string& header) {
     const fs::path path = workspace.header(exercise, header);
     const Place place{shown(path)};
-    const std::string back =
-        fmt::format("'./glassbox learn reset {}' puts the starter there, and keeps what is there now", exercise.number);
+    const std::string back = fmt::format("'{} learn reset {}' puts the starter there, and keeps what is there now",
+                                         workspace.program, exercise.number);
     std::error_code failed;
     if (!fs::exists(path, failed)) throw error_at(place, "there is no such file: was it deleted, or renamed? " + back);
     if (!fs::is_regular_file(path, failed)) throw error_at(place, "this is not a plain file; " + back);

@@ -12,7 +12,10 @@ namespace glassbox::learn {
 /// Where a learner works: the project, whose lessons and tests are used, and the folder of the learner's own headers.
 struct Workspace {
     std::filesystem::path root;    ///< the project's root, absolute
-    std::filesystem::path folder;  ///< the learner's folder, absolute: root/my by default
+    std::filesystem::path folder;  ///< the learner's folder, absolute
+    /// The learner's folder by default: my/ in the project, or where the program runs if it is installed.
+    std::filesystem::path usual_folder = {};
+    std::string program = "./glassbox";  ///< how it is called
     std::vector<Exercise> exercises;
     /// The folders of lessons, by the lesson's name, that are not called as their lesson is.
     std::map<std::string, std::filesystem::path> called_otherwise = {};
@@ -40,7 +43,8 @@ struct Workspace {
 };
 
 /// The workspace of a program that runs in `here`: the project is the next folder above that has lessons, or else the
-/// one that this program was built from. `folder` is the learner's; empty for my/ in the project. Throws Error.
+/// one that this program was built from, or what was installed with it. `folder` is the learner's; empty for the usual
+/// one. Throws Error.
 Workspace open_workspace(const std::filesystem::path& here, const std::filesystem::path& folder = {});
 
 /// The exercise that is called "2", "2-spheres" or "spheres". Throws Error, which says what there is.

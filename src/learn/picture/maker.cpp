@@ -199,12 +199,12 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     try {
         if (exercise.own_picture == OwnPicture::none)
             throw Error(
-                fmt::format("the picture beside ours is not made by what {} teaches; './glassbox learn picture {}' "
+                fmt::format("the picture beside ours is not made by what {} teaches; '{} learn picture {}' "
                             "draws one that is",
-                            exercise.name, exercise.number));
+                            exercise.name, workspace.program, exercise.number));
         if (!fs::is_directory(workspace.headers_of(exercise), none))
-            throw Error(fmt::format("{} is not begun: './glassbox learn test {}' makes the files that you write",
-                                    shown(workspace.headers_of(exercise)), exercise.number));
+            throw Error(fmt::format("{} is not begun: '{} learn test {}' makes the files that you write",
+                                    shown(workspace.headers_of(exercise)), workspace.program, exercise.number));
         // A header that is not there must not be replaced by ours in silence.
         for (const std::string& header : exercise.headers) parts.push_back(read_header(workspace, exercise, header));
     } catch (const Error& error) {

@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+
+namespace glassbox {
+
+/// The folder of the program that runs; empty where the system does not tell.
+std::filesystem::path program_folder();
+
+/// The folder with what comes with Glassbox and is read as it runs: scenes/, lessons/, and the sources that learners'
+/// programs are compiled with. Of an installed program that is ../share/glassbox, else the folder that it was built
+/// from. Empty if neither is there.
+std::filesystem::path shipped_folder();
+
+}  // namespace glassbox
