@@ -156,7 +156,11 @@ ToldHit told_hit(const Scene& scene, const Options& options, const TracedPixel& 
     const auto at_hit = record_hit(tape, heard, pixel, options, shape, rule);
     const Vec3<Recorded<Real>> point = at(at_hit.ray, at_hit.t);
     name(point, "point");
-    const Vec3<Recorded<Real>> n = normal_of(at_hit);
+    Vec3<Recorded<Real>> n = normal_of(at_hit);
+    const Vec3<double> by_steps{static_cast<double>(n.x.value()), static_cast<double>(n.y.value()),
+                                static_cast<double>(n.z.value())};
+    const bool by_exact = is_proven(options.scalar) && is_finite(pixel.normal) && by_steps != pixel.normal;
+    if (by_exact) n = input<Real>(tape, pixel.normal, "n");
     name(n, "n");
     std::optional<RecordedShade<Real>> shade;
     if (options.stage >= 4) shade = record_shade(tape, heard, scene, at_hit.ray, n, own);

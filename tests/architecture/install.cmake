@@ -1,16 +1,61 @@
-# Installs BUILD into a new folder, and renders a scene by its bare name with the installed program, in another folder.
+# Installs BUILD into a new folder, and from another folder uses what is there as somebody would who has no more: renders a
+# scene by its bare name, begins a lesson and passes a function of it, builds the example on the installed package.
 set(prefix ${BUILD}/installed)
-set(elsewhere ${BUILD}/elsewhere)
-file(REMOVE_RECURSE ${prefix} ${elsewhere})
+# Not in the project: the lessons are taken from the folders above first.
+set(temporary $ENV{TMPDIR})
+if(NOT temporary)
+  set(temporary /tmp)
+endif()
+string(RANDOM LENGTH 12 name)
+set(elsewhere ${temporary}/glassbox-installed-${name})
+file(REMOVE_RECURSE ${prefix})
 file(MAKE_DIRECTORY ${elsewhere})
 
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix}
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${prefix}/bin/glassbox render levental-2014 -o picture.ppm
-  WORKING_DIRECTORY ${elsewhere} COMMAND_ERROR_IS_FATAL ANY)
 
+# in_elsewhere(STATUS COMMAND…): runs it there, and expects that exit status; what it says is `said`.
+function(in_elsewhere status)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${elsewhere} RESULT_VARIABLE got OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT got EQUAL status)
+    message(FATAL_ERROR "${ARGN}: expected the exit status ${status}, got ${got}:\n${said}")
+  endif()
+  set(said "${said}" PARENT_SCOPE)
+endfunction()
+function(expect_said part)
+  string(FIND "${said}" "${part}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "expected to read '${part}', got:\n${said}")
+  endif()
+endfunction()
+
+set(glassbox ${prefix}/bin/glassbox)
+in_elsewhere(0 ${glassbox} render levental-2014 -o picture.ppm)
 file(READ ${elsewhere}/picture.ppm start LIMIT 15 HEX)
 string(HEX "P6\n500 500\n255\n" expected)
 if(NOT start STREQUAL expected)
   message(FATAL_ERROR "picture.ppm should begin with ${expected}; it begins with ${start}")
 endif()
+in_elsewhere(0 ${glassbox} explain levental-2014 --pixel 360,379)
+in_elsewhere(0 ${glassbox} doctor)
+expect_said("${prefix}/share/glassbox/scenes")
+
+# my/ is made where one stands; the lessons are the installed ones.
+in_elsewhere(0 ${glassbox} learn status)
+expect_said("${prefix}/share/glassbox/lessons/1-rays/README.md")
+in_elsewhere(1 ${glassbox} learn test 1)
+expect_said("Next to write: dot in my/1-rays/vec3.hpp")
+file(READ ${elsewhere}/my/1-rays/vec3.hpp text)
+string(REPLACE "return not_written<Real>(\"dot\");" "return a.x * b.x + a.y * b.y + a.z * b.z;" text "${text}")
+file(WRITE ${elsewhere}/my/1-rays/vec3.hpp "${text}")
+in_elsewhere(1 ${glassbox} learn test 1)
+expect_said("✓ dot")
+
+if(EXAMPLE)
+  in_elsewhere(0 ${CMAKE_COMMAND} -S ${EXAMPLE} -B example -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX}
+    -DCMAKE_CXX_FLAGS=${FLAGS})
+  in_elsewhere(0 ${CMAKE_COMMAND} --build example)
+  in_elsewhere(0 ${elsewhere}/example/asks_glassbox)
+  expect_said("first: triangle 0 at t = 333333.33333333331 ± ")
+endif()
+file(REMOVE_RECURSE ${elsewhere})

@@ -140,24 +140,50 @@ TEST_CASE_TEMPLATE("a normal is the same at every size", Real, float, double, lo
     CHECK(close(normal_at(Ray<Real>{far_off.c, {0, 0, -1}}, far_off.r, far_off), {0, 0, -1}));
 }
 
-TEST_CASE("a normal is the same where t overflows or is subnormal") {
+TEST_CASE("a normal has its digits where t overflows or is subnormal, and far off where doubles tell nothing of it") {
     // About the origin, radius 2. From (1, 0, 10) along −z the sphere is met at z = √3, from inside, at (1, 0, 0), at
     // z = −√3. Times powers of two that make t more than any double, or leave it 24 bits.
+    const auto normal = [](const Vec3<double>& P, const Vec3<double>& D, const Vec3<double>& c, double r) {
+        Scene scene;
+        scene.width = scene.height = 1;
+        scene.view = ParallelView{P, {r, 0, 0}, {0, r, 0}, D};
+        scene.spheres = {{c, r, green}};
+        const Measurement* const wanted[] = {find_measurement("normal")};
+        const auto n = measure(scene, {}, wanted, {}).front();
+        return Vec3<double>{n[0].values[0], n[1].values[0], n[2].values[0]};
+    };
+    const auto expect = [](const Vec3<double>& n, const Vec3<double>& truth) {
+        CHECK(std::abs(n.x - truth.x) <= 1e-15);
+        CHECK(std::abs(n.y - truth.y) <= 1e-15);
+        CHECK(std::abs(n.z - truth.z) <= 1e-15);
+    };
     const double root3 = std::sqrt(3.0);
     for (const auto [size, of_D] : {std::pair{600, -500}, {1000, -1000}, {-1050, 0}, {-1050, -300}, {-1050, 300}}) {
         CAPTURE(size);
         CAPTURE(of_D);
         const auto length = [&](double x) { return std::ldexp(x, size); };
-        const Sphere<double> sphere{{}, length(2)};
         const Vec3<double> D{0, 0, -std::ldexp(1.0, of_D)};
-        const Ray<double> from_outside{{length(1), 0, length(10)}, D}, from_inside{{length(1), 0, 0}, D};
-        for (const auto& [ray, z, t] : {std::tuple{from_outside, 1.0, 10 - root3}, {from_inside, -1.0, root3}}) {
-            const Vec3<double> n = normal_at(ray, std::ldexp(t, size - of_D), sphere);
-            CHECK(std::abs(n.x - 0.5) <= 1e-15);
-            CHECK(n.y == 0);
-            CHECK(std::abs(n.z - z * root3 / 2) <= 1e-15);
-        }
+        expect(normal({length(1), 0, length(10)}, D, {}, length(2)), {0.5, 0, root3 / 2});
+        expect(normal({length(1), 0, 0}, D, {}, length(2)), {0.5, 0, -root3 / 2});
     }
+    // 2⁶⁰ radii away, the ray's line passes the centre at half a radius: l = (1/2, 0, 0), and the sphere is met at
+    // z = √(1 − 1/4) before it.
+    expect(normal({0.5, 0, 0x1p60}, {0, 0, -3}, {}, 1), {0.5, 0, root3 / 2});
+}
+
+TEST_CASE("a sliver has its normal, whose edges doubles take for parallel") {
+    // (B − A) × (C − A) = (2 + ε, −2, 0) × (2, −2, 0) = (0, 0, −2ε): along −z, though 2 + ε is 2 in doubles.
+    Scene scene;
+    scene.width = scene.height = 1;
+    scene.view = ParallelView{{0x1p-200, -2 + 0x1p-210, -4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    scene.triangles = {{{Vec3<double>{-2, 0, 0}, {0x1p-190, -2, 0}, {0, -2, 0}}, green}};
+    const Measurement* const wanted[] = {find_measurement("normal"), find_measurement("hits")};
+    // Just above the edge from (0, −2) to (ε, −2); the edge from (−2, 0) to (ε, −2) is there at y + 2 = (ε − x)(1 − …).
+    const auto measured_here = measure(scene, {}, wanted, {});
+    REQUIRE(measured_here[1][0].values[0] == 1);
+    CHECK(measured_here[0][0].values[0] == 0);
+    CHECK(measured_here[0][1].values[0] == 0);
+    CHECK(measured_here[0][2].values[0] == -1);
 }
 
 TEST_CASE("a ray that starts on a sphere, and meets another one first, is judged rightly") {

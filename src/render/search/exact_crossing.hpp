@@ -30,4 +30,10 @@ private:
 std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule);
 std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule);
 
+// The unit normal there, each coordinate of it, before it gets length 1, rounded once. None for a ray that does not
+// meet the surface, or a triangle without area.
+std::optional<Vec3<double>> exact_normal(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule);
+std::optional<Vec3<double>> exact_normal(const Ray<double>& ray, const Triangle<double>& triangle,
+                                         const TriangleRule& rule);
+
 }  // namespace glassbox

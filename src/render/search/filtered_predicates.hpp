@@ -89,8 +89,11 @@ public:
 
     /// The unit normal where the ray meets a surface.
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
-        return store_.with_surface(hit.surface,
-                                   [&](const auto& surface) { return glassbox::normal_at(ray, hit.t, surface); });
+        return with_rule(hit.surface, [&](const auto& shape, const auto& rule) {
+            if (loses_digits(ray, hit.t, shape))
+                if (const auto exact = exact_normal(ray, shape, rule.rule)) return *exact;
+            return glassbox::normal_at(ray, hit.t, shape);
+        });
     }
 
 private:

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <probe.hpp>
 #include <ray.hpp>
 #include <sphere.hpp>
 #include <triangle.hpp>
@@ -59,37 +58,9 @@ Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
     return normal(Triangle<Real>{{}, to_B, e == FP_ILOGB0 ? to_C : scaled(to_C, -e)});
 }
 
-/// Has t, and the way to the sphere, all the digits of a double? Not if they overflow or are subnormal.
-template <class Real>
-bool has_all_digits(const Real& t, const Sphere<Real>& sphere) {
-    constexpr double least = 0x1p-960;
-    const double as_double = std::abs(static_cast<double>(t));
-    return std::isfinite(as_double) && as_double > least && static_cast<double>(sphere.r) > least;
-}
-
-/// Where a ray meets a sphere, as seen from its centre and in units of 2ᵉ that make all lengths ordinary: t is found
-/// anew there, the root nearer to the t that is known. For where that has not all its digits.
-template <class Real>
-Vec3<Real> point_in_other_units(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sphere) {
-    const int halved = is_finite(convert<double>(ray.P - sphere.c)) ? 0 : 1;  // then the difference does not overflow
-    const Vec3<Real> f = scaled(ray.P, -halved) - scaled(sphere.c, -halved);
-    const Vec3<Real> r = scaled(Vec3<Real>{sphere.r, Real(0), Real(0)}, -halved);
-    const int e = std::max(exponent(f), exponent(r)), e_of_D = exponent(ray.D);
-    const Ray<Real> seen{scaled(f, -e), scaled(ray.D, -e_of_D)};
-    const Silent silent;
-    const Roots<Real> roots = Stable{}(seen, Sphere<Real>{{}, scaled(r, -e).x}, silent);
-    if (!surely(roots.real)) return at(seen, -dot(seen.P, seen.D) / dot(seen.D, seen.D));  // as near as it comes
-    const double known = std::ldexp(static_cast<double>(t), e_of_D - e - halved);
-    const double t0 = static_cast<double>(roots.t0), t1 = static_cast<double>(roots.t1);
-    const bool is_first = std::isfinite(known) ? std::abs(t0 - known) <= std::abs(t1 - known) : t0 > 0;
-    return at(seen, is_first ? roots.t0 : roots.t1);
-}
-
 /// The unit normal where a ray meets a surface at t.
 template <class Real>
 Vec3<Real> normal_at(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sphere) {
-    if (!has_all_digits(t, sphere))
-        return unit_normal(Sphere<Real>{{}, sphere.r}, point_in_other_units(ray, t, sphere));
     const int e = exponent(Vec3<Real>{sphere.r, sphere.r, sphere.r});
     const bool is_far_off = std::max(exponent(ray.P), exponent(sphere.c)) - 12 > e;
     // A small sphere far from the origin: as seen from its centre, where it loses none of its digits to c.
@@ -99,6 +70,30 @@ Vec3<Real> normal_at(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sp
 template <class Real>
 Vec3<Real> normal_at(const Ray<Real>&, const Real&, const Triangle<Real>& triangle) {
     return unit_normal(triangle);
+}
+
+/// The largest coordinate's size.
+inline double largest(const Vec3<double>& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+
+// Whether `normal_at` may have lost most of its digits, or all: then `exact_normal` has them.
+
+/// The point is off by what P − c is rounded by, or t; more than 2⁻²³ of the radius is too much. t has not all its
+/// digits where it overflows or is subnormal, nor has tD for a sphere so small.
+inline bool loses_digits(const Ray<double>& ray, double t, const Sphere<double>& sphere) {
+    constexpr double least = 0x1p-960, far = 0x1p30;
+    const bool has_all = std::isfinite(t) && std::abs(t) > least && sphere.r > least;
+    return !(has_all && largest(ray.P - sphere.c) <= far * sphere.r);
+}
+
+/// For slivers: where the sine of the angle between two edges is below about 2⁻²⁰.
+inline bool loses_digits(const Ray<double>&, double, const Triangle<double>& triangle) {
+    constexpr double least = 0x1p-20, smallest = 0x1p-960;
+    const Vec3<double> to_B = triangle.B - triangle.A, to_C = triangle.C - triangle.A;
+    const double n = largest(cross(to_B, to_C)), sizes = largest(to_B) * largest(to_C);
+    if (n > smallest && std::isfinite(sizes) && n > least * sizes) return false;
+    if (!is_finite(to_B) || !is_finite(to_C)) return true;
+    if (to_B == Vec3<double>{} || to_C == Vec3<double>{}) return false;  // no area, truly
+    return !(largest(cross(scaled(to_B, -exponent(to_B)), scaled(to_C, -exponent(to_C)))) > least);
 }
 
 }  // namespace glassbox
