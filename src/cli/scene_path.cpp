@@ -23,7 +23,8 @@ fs::path program() {
 #endif
 }
 
-/// The scene that comes with Glassbox of that name, with or without folder and ending; empty if there is none.
+/// The file of the scene of that name that comes with Glassbox, with or without folder and extension; empty if there is
+/// none.
 fs::path shipped_scene(const fs::path& name) {
     const fs::path folder = shipped_scenes();
     const bool may_be = !name.has_parent_path() || name.parent_path() == fs::path("scenes");
