@@ -105,7 +105,7 @@ void watch(LearnRun& lesson) {
         print(lesson.paint.faint(fmt::format("\nWatching {}; save a file to test again, Ctrl-C to end.\n",
                                              shown(lesson.learner.workspace().headers_of(exercise)))));
         if (!headers.wait(lesson.stop)) break;
-        print(LearnRun::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // the scrollback stays
+        print(LearnRun::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // keeps the scrollback
     }
 }
 

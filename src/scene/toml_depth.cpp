@@ -14,7 +14,7 @@ std::size_t end_of_string(std::string_view toml, std::size_t start) {
     const std::string end(is_long ? 3 : 1, quote);
     for (std::size_t at = start + end.size(); at < toml.size(); ++at) {
         if (quote == '"' && toml[at] == '\\') ++at;
-        else if (!is_long && toml[at] == '\n') return at;  // not closed: what follows is read as if it were
+        else if (!is_long && toml[at] == '\n') return at;  // not closed: reads on as if it were
         else if (toml.substr(at).starts_with(end)) return at + end.size();
     }
     return toml.size();

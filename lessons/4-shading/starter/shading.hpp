@@ -70,8 +70,8 @@ Real highlight_phong(const Vec3<Real>& n, const Vec3<Real>& l, const Vec3<Real>&
 /// k_a I_a + I (k_d max(0, n·l) colour + k_s max(0, n·h)^e white), term by term (the paper's section 1.2.3).
 /// `surface_normal` is the unit normal n, `r` the unit vector towards the viewer, `color` the surface's colour.
 ///
-/// The model levental_2014 does what the paper's program does: it never flips the normal, and its half vector is unit(L
-/// + r) with the light's L, which is not of length 1.
+/// The model levental_2014 does what the paper's program does: it never flips the normal, and its half vector is
+/// unit(L + r) with the light's L, which is not of length 1.
 template <class Real, class Probe>
 Terms<Real> shade(const Vec3<Real>& surface_normal, const Vec3<Real>& r, const Vec3<Real>& color,
                   const Light<Real>& light, const Shading<Real>& shading, Probe& probe) {

@@ -45,8 +45,8 @@ inline double sides_error(const Triangle<double>& triangle, const RayBounds& rea
 }
 
 /// Bounds the error of the discriminant (v·D)² − D²(v² − r²), by either rule. Relative errors of a few u in each of v,
-/// v·D, v·v and D·D change it by at most 32u D²(|v|² + r²) + O(u²): 20u in Textbook, 32u in Stable, where l = f +
-/// (b/a)d is off by 11u|f|.
+/// v·D, v·v and D·D change it by at most 32u D²(|v|² + r²) + O(u²): 20u in Textbook, 32u in Stable, where
+/// l = f + (b/a)d is off by 11u|f|.
 inline double discriminant_error(const Sphere<double>& sphere, const RayBounds& reach) {
     const auto [cx, cy, cz] = sphere.c;
     const Vec3<double> v{std::abs(cx) + reach.P.x, std::abs(cy) + reach.P.y, std::abs(cz) + reach.P.z};

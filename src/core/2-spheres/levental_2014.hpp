@@ -3,9 +3,9 @@
 
 namespace glassbox {
 
-/// The rule of the paper's program, kept, like Tolerance, because the paper's five figures need both of its faults. It
-/// computes Textbook's roots but requires Δ > 0, two different roots: a tangent ray misses the sphere. It returns the
-/// nearer root for both: seen from inside, where that root lies behind the ray's start, the sphere vanishes.
+/// The rule of the paper's program, kept as history, like Tolerance: the paper's five figures need both of its faults.
+/// It computes Textbook's roots but requires Δ > 0, two different roots: a tangent ray misses the sphere. It returns
+/// the nearer root for both: seen from inside, where that root lies behind the ray's start, the sphere vanishes.
 struct Levental2014 {
     constexpr bool operator==(const Levental2014&) const = default;
 

@@ -112,8 +112,8 @@ struct Tolerance {
     }
 };
 
-/// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), without culling: solves P + tD = A +
-/// u(B − A) + v(C − A) by Cramer's rule. Two triangles that share an edge do not compute opposite numbers.
+/// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), without culling: solves
+/// P + tD = A + u(B − A) + v(C − A) by Cramer's rule. Two triangles that share an edge do not compute opposite numbers.
 struct MoellerTrumbore {
     constexpr bool operator==(const MoellerTrumbore&) const = default;
 

@@ -82,7 +82,7 @@ struct Bounded {
     }
     friend Kleene operator==(Bounded a, Bounded b) { return !(a != b); }
 
-    /// Whether the value survived: no overflow, and no division by a number that may be 0.
+    /// False after an overflow, or a division by a number that may be 0.
     friend constexpr bool is_known(Bounded a) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return a.error < infinity && a.value < infinity && a.value > -infinity;
