@@ -82,8 +82,8 @@ public:
         return first * sign_of(A * A + B * B * d - C * C * e, two * A * B, d);
     }
 
-    /// The number as a long float, within a few units of its last place. Where p and q√d would cancel, computes (p² −
-    /// q²d) / (p − q√d) instead.
+    /// The number as a long float, within a few units of its last place. Where p and q√d would cancel, computes
+    /// (p² − q²d) / (p − q√d) instead.
     Dyadic::Long to_long() const {
         const Dyadic::Long p = p_.to_long(), r = r_ ? r_->to_long() : Dyadic::Long(1);
         if (!root_) return p / r;
