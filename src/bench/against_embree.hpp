@@ -10,7 +10,7 @@
 
 namespace glassbox {
 
-/// What the rays of all pixels meet first, row by row from the top: its number or engine::no_surface, and t.
+/// The nearest hits of all pixels' rays, row by row from the top: the surface's number or engine::no_surface, and t.
 struct NearestHits {
     std::vector<std::uint32_t> surface;
     std::vector<float> t;
@@ -18,19 +18,19 @@ struct NearestHits {
     explicit NearestHits(const Scene& scene);
 };
 
-/// The same by the engine, certified: tiles of rays together, or each ray by itself.
+/// Finds them with the engine, certified: tiles of rays together, or each ray by itself.
 void trace_certified(const Scene& scene, const Job& job, NearestHits& hits);
 void trace_certified_one_by_one(const Scene& scene, const Job& job, NearestHits& hits);
 
 /// A scene's only mesh in Embree.
 class EmbreeScene {
 public:
-    /// `robust`: with Embree's flag of that name, for rays that would slip between triangles.
+    /// `robust` sets Embree's flag of that name, for rays that would slip between triangles.
     EmbreeScene(const Scene& scene, bool robust);
     ~EmbreeScene();
 
     double build_seconds() const;
-    /// What Embree allocated for it, without the mesh itself.
+    /// The bytes that Embree allocated for it, without the mesh itself.
     double bytes() const;
 
     void trace_one_by_one(const Job& job, NearestHits& hits) const;

@@ -14,7 +14,7 @@ constexpr Rgb grey{200, 200, 200};
 
 Vec3<double> in_floats(const Vec3<double>& v) { return convert<double>(convert<float>(v)); }
 
-/// Two triangles for each cell of a grid, whose vertices are numbered row by row, `next` from one row to the next one.
+/// Adds a grid cell's two triangles, abc and acd.
 void add_cell(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     mesh.faces.push_back({a, b, c});
     mesh.faces.push_back({a, c, d});

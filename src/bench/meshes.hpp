@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-// Meshes to measure with, the same ones on every machine. Their vertices are floats, so that a tracer in single
-// precision is given the same surfaces.
+// Meshes for benchmarks, the same on every machine. Their vertices are floats, so that a single-precision tracer gets
+// the same surfaces.
 
 /// A tube around a trefoil knot: 2 · around · across triangles.
 Mesh trefoil(std::uint32_t around, std::uint32_t across);
@@ -17,7 +17,7 @@ Mesh icosphere(int splits);
 /// Hills over a square of side 2, cells · cells · 2 triangles.
 Mesh terrain(std::uint32_t cells);
 
-/// A mesh as seen through a pinhole at `eye` that looks at `look_at`, 1024 x 1024 pixels.
+/// A mesh seen through a pinhole at `eye` that looks at `look_at`, 1024 x 1024 pixels.
 Scene seen(Mesh mesh, const Vec3<double>& eye, const Vec3<double>& look_at);
 
 }  // namespace glassbox

@@ -1,5 +1,5 @@
-// The numbers of lesson 7: lesson7_steps [RUNS]. First the paper's picture, one change after the other, in turns; then
-// nanoseconds a ray against the number of triangles, as CSV.
+// The numbers of lesson 7: lesson7_steps [RUNS]. First the paper's picture, one change after the other, timed in turn;
+// then nanoseconds per ray against the number of triangles, as CSV.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void print_costs(const Scene& scene, int runs) {
     const engine::Tree tree = engine::tree_over(boxes);
     const View seen = view(scene, {});
     Silent silent;
-    double sum = 0;  // keeps the compiler from leaving the work out
+    double sum = 0;  // keeps the compiler from removing the work
     // `count` rays, evenly over the picture
     const auto trace = [&](double count, const auto& nearest_hit) {
         const double step = 1.0 * scene.width * scene.height / count;

@@ -1,5 +1,5 @@
-// The body of the functions of bare_numbers.hpp: included by files that are compiled against the headers as they are,
-// and by one that is compiled against headers without probes.
+// The body of the functions of bare_numbers.hpp: included by files that are compiled with the headers as they are, and
+// by one that is compiled with headers without probes.
 #include <probe.hpp>
 
 #include "render/search/plain_search.hpp"
@@ -7,8 +7,8 @@
 namespace glassbox {
 namespace {
 
-/// A function of its own with all its callees in it: neither what surrounds it nor how the compiler guesses the size of
-/// a probe that is not there yet changes how it is compiled.
+/// A separate function with all its callees inlined: neither its surroundings nor the compiler's guess of the size of a
+/// probe not yet inlined changes how it is compiled.
 template <class Probe>
 [[gnu::noinline, gnu::flatten]] double t_of_nearest(const PlainSearch<double, Stable, Pluecker>& search,
                                                     const Ray<double>& ray, Probe& probe) {

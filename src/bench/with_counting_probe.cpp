@@ -21,7 +21,7 @@ struct Counts {
 double sum_of_t_with_counting_probe(const BareNumbers& numbers) {
     Counts counts;
     const double sum = sum_of_t(numbers, counts);
-    return counts.hits <= counts.tests ? sum : 0;  // uses both: neither may be left uncounted
+    return counts.hits <= counts.tests ? sum : 0;  // uses both, so that the compiler counts both
 }
 
 }  // namespace glassbox

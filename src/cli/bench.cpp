@@ -81,7 +81,7 @@ Work counting(const Scene& scene, const std::string& name, const Job& job) {
 void bench_probes(const Scene& scene, int runs) {
     const Numbers numbers(scene);
     const double rays = 1.0 * scene.width * scene.height;
-    double sum = 0;  // keeps the compiler from leaving the work out
+    double sum = 0;  // keeps the compiler from removing the work
     const Speeds speeds =
         timed({{"nearest hit, without probes", rays, [&] { sum += sum_of_t_without_probe(numbers.bare()); }},
                {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }},
@@ -140,7 +140,7 @@ void add_bench(CLI::App& program, Session& session) {
         ->type_name("embree");
     command->callback([request, &session] {
         if (request->against_embree) return bench_against_embree(request->runs, session.interrupt.token());
-        std::vector<Scene> scenes;  // all are read before the first is timed: a wrong name costs nobody minutes
+        std::vector<Scene> scenes;  // reads all before timing the first, so that a wrong name costs no minutes
         for (const std::string& name : request->scenes) scenes.push_back(read_scene(scene_path(name)));
         fmt::print("Million rays a second; {} runs of each, in turn: median (least ... greatest)\n", request->runs);
         for (std::size_t i = 0; i < scenes.size(); ++i)

@@ -24,7 +24,7 @@ namespace glassbox {
 
 namespace {
 
-/// Nanoseconds a ray, from million rays a second.
+/// Nanoseconds per ray, from million rays per second.
 std::vector<double> nanoseconds(std::vector<double> speeds) {
     for (double& speed : speeds) speed = 1000 / speed;
     return speeds;
@@ -36,7 +36,8 @@ std::size_t differences(const NearestHits& one, const NearestHits& other) {
     return count;
 }
 
-/// What the plain loop says of every so-manieth ray, as many as some seconds allow.
+/// Compares every n-th hit with the plain loop's, as many as some seconds allow. Returns how many differ and how many
+/// were compared.
 std::pair<std::size_t, std::size_t> differences_from_plain(const Scene& scene, const NearestHits& hits,
                                                            const Job& job) {
     const std::size_t pixels = hits.surface.size(), triangles = scene.meshes.front()->faces.size();

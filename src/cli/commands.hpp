@@ -5,13 +5,13 @@
 
 namespace glassbox {
 
-/// What a subcommand is given to run with, beside its own arguments.
+/// What a subcommand needs besides its own arguments.
 struct Session {
     Interrupt interrupt;
 };
 
-// Each adds a subcommand to the program; it runs when the command line names it. Its work throws Error (exit status 1)
-// or Cancelled (130).
+// Each function adds a subcommand to the program; it runs if the command line names it. Its work throws Error (exit
+// status 1) or Cancelled (130).
 void add_render(CLI::App& program, Session& session);
 void add_measure(CLI::App& program, Session& session);
 void add_shoot(CLI::App& program, Session& session);

@@ -11,11 +11,12 @@ namespace glassbox {
 
 namespace {
 
-/// The destructor's own word that nothing is left to wait for. From anyone else it means nothing, as it always does.
+/// The destructor's signal to the waiting thread that there is nothing left to wait for. From any other sender it is
+/// ignored, which is its default.
 constexpr int wake_signal = SIGURG;
 
-/// What ends a program that does not care. Not here: SIGPIPE, which ends a filter in silence when its reader has seen
-/// enough, and what a fault of the program itself raises.
+/// The signals that end a program by default. Not listed: SIGPIPE, which silently ends a filter when its reader has
+/// seen enough, and the signals that a fault of the program itself raises.
 constexpr int deadly[] = {
     SIGINT,  SIGTERM, SIGHUP,    SIGQUIT, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGUSR1, SIGUSR2,
 #ifdef __linux__
@@ -23,7 +24,7 @@ constexpr int deadly[] = {
 #endif
 };
 
-/// Whether the signal is neither ignored nor, as by a profiler, already answered.
+/// Whether the signal is neither ignored nor already handled, as by a profiler.
 bool would_end_us(int signal) {
     struct sigaction action {};
     return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
@@ -38,7 +39,7 @@ sigset_t awaited_signals() {
     return set;
 }
 
-/// A write beyond the limit then fails with EFBIG. By a handler and not SIG_IGN, which programs that we start would
+/// Makes a write beyond the limit fail with EFBIG. Sets a handler, not SIG_IGN, which programs that we start would
 /// inherit.
 void let_writes_fail_at_the_limit() {
     struct sigaction nothing {};

@@ -9,11 +9,11 @@
 
 namespace glassbox {
 
-/// While it lives, Ctrl-C, or any other signal that would end the program and can wait (a polite kill, a terminal that
-/// goes, an alarm, the soft limit on processor time), asks the work to stop instead of killing the program. Work that
-/// cannot stop within 20 ms is ended; half-written files are gone by then, because their writer answers the request at
-/// once. A signal that the program was started to ignore, as nohup does, stays ignored; a file that grows beyond the
-/// limit on its size is an error of writing. Make it before any other thread: they inherit which signals are its own.
+/// While it exists, Ctrl-C, or any other signal that would end the program and can wait (SIGTERM, a closed terminal, an
+/// alarm, the soft limit on processor time), asks the work to stop instead of killing the program. Work that does not
+/// stop within 20 ms is ended; half-written files are gone by then, because their writer reacts to the request at once.
+/// A signal that the program was started to ignore, as by nohup, stays ignored; a file that grows beyond the limit on
+/// its size is a write error. Create it before any other thread: threads inherit the signals that it blocks.
 class Interrupt {
 public:
     Interrupt();
@@ -23,7 +23,7 @@ public:
 
     std::stop_token token() const { return source_.get_token(); }
 
-    /// What a program that was asked to stop says, and its exit status.
+    /// The message of a program that was asked to stop, and its exit status.
     struct Ending {
         const char* message;
         int status;

@@ -36,14 +36,14 @@ struct LearnRequest {
     bool record = false, solution = false, isolated = false;
 };
 
-/// A stranger's folder may have programs in it that look as if we had made them: isolated, ours are made elsewhere.
+/// A stranger's folder may contain programs that look like ours: isolated, ours are built elsewhere.
 Workspace workspace_for(const LearnRequest& request) {
     Workspace workspace = open_workspace(fs::current_path(), request.folder);
     if (request.isolated) workspace.hidden_elsewhere = workspace.usual_folder / ".glassbox" / "isolated";
     return workspace;
 }
 
-/// A subcommand of `learn` as it runs.
+/// A running subcommand of `learn`.
 struct LearnRun {
     const LearnRequest& request;
     std::stop_token stop;
@@ -73,7 +73,7 @@ void print(const std::string& text) {
 
 [[noreturn]] void end_with(int status) { throw CLI::RuntimeError(status); }
 
-/// Tests a lesson and says how it went; whether all is well.
+/// Tests a lesson and prints the result. Returns whether it passed.
 bool test(LearnRun& lesson, const Exercise& exercise) {
     const bool begins = make_starters(lesson.learner.workspace(), exercise);
     if (begins)
@@ -91,13 +91,13 @@ void watch(LearnRun& lesson) {
     const std::string asked = lesson.request.lesson;
     while (!lesson.stop.stop_requested()) {
         const Exercise& exercise = lesson.learner.lesson(asked);
-        Watch headers(lesson.learner.workspace().headers_of(exercise));  // before the test: no change is missed
+        Watch headers(lesson.learner.workspace().headers_of(exercise));  // before the test, so that no change is missed
         try {
             if (make_starters(lesson.learner.workspace(), exercise)) continue;
             test(lesson, exercise);
         } catch (const Cancelled&) {
             break;
-        } catch (const Error& error) {  // a header is gone for now, or the disk is full: that may change
+        } catch (const Error& error) {  // a header is missing for now, or the disk is full: that may change
             tell(error.what());
         }
         const Exercise& next = lesson.learner.lesson(asked);
@@ -105,7 +105,7 @@ void watch(LearnRun& lesson) {
         print(lesson.paint.faint(fmt::format("\nWatching {}; save a file to test again, Ctrl-C to end.\n",
                                              shown(lesson.learner.workspace().headers_of(exercise)))));
         if (!headers.wait(lesson.stop)) break;
-        print(LearnRun::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // the scrollback stays
+        print(LearnRun::is_terminal() ? "\x1b[H\x1b[2J" : "\n");  // keeps the scrollback
     }
 }
 
@@ -123,7 +123,7 @@ void hint(LearnRun& lesson) {
     print(hint_text(lesson.learner.workspace(), exercise, *function, tier, lesson.paint));
 }
 
-/// Puts the starters back, of one lesson, which must be named: what is written there is set aside.
+/// Restores the starters of one lesson, which must be named; sets aside what is written there.
 void begin_anew(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     const Workspace& workspace = lesson.learner.workspace();
@@ -169,7 +169,7 @@ const Mistake& mistake_called(const std::vector<Mistake>& mistakes, const std::s
                             in_quotes(name), suggestion(name, names)));
 }
 
-/// The folder with a lesson's headers to make a picture of: the learner's, the solution, or that with a mistake.
+/// The folder with a lesson's headers for a picture: the learner's, the solution, or those with a mistake.
 fs::path headers_for_picture(LearnRun& lesson, const Exercise& exercise) {
     const Workspace& workspace = lesson.learner.workspace();
     if (lesson.request.solution) return workspace.solutions_of(exercise);
@@ -204,7 +204,7 @@ void picture(LearnRun& lesson) {
     write_picture(lesson.request.picture, *made.image, lesson.stop);
 }
 
-/// Writes down what each mistake of a lesson leaves behind: for whoever writes lessons.
+/// Records the symptoms of each mistake of a lesson, for lesson authors.
 void record(LearnRun& lesson, const Exercise& exercise) {
     int unnoticed = 0;
     const auto done = [&](const Mistake& mistake, const TestRun& run) {
@@ -244,8 +244,8 @@ void mistake(LearnRun& lesson) {
                       chosen.name));
 }
 
-/// Tests all lessons in the folders of learners; writes a page, and prints the table. All that can be known to be wrong
-/// is told before the long work; a learner who cannot be graded keeps no other from it.
+/// Tests all lessons in the learners' folders, writes a page, and prints the table. Reports every error that can be
+/// known in advance before the long work; a learner who cannot be graded does not keep others from being graded.
 void report(const LearnRequest& request, const std::stop_token& stop) {
     const bool as_csv = request.report.ends_with(".csv");
     check_writable(request.report);
@@ -276,7 +276,7 @@ void report(const LearnRequest& request, const std::stop_token& stop) {
 
 using Run = std::function<void(LearnRun&)>;
 
-/// Gives `learn` a subcommand.
+/// Adds a subcommand to `learn`.
 CLI::App* add(CLI::App& learn, Session& session, const std::shared_ptr<LearnRequest>& request, const char* name,
               const char* help, Run run) {
     CLI::App* command = learn.add_subcommand(name, help);

@@ -29,7 +29,7 @@ void add_commands(CLI::App& program, glassbox::Session& session) {
     glassbox::add_doctor(program);
 }
 
-/// Does what the command line says. Throws CLI::ParseError if it cannot be understood.
+/// Runs the command line. Throws CLI::ParseError if it cannot be parsed.
 int obey(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);

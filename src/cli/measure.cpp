@@ -21,7 +21,7 @@ struct MeasureRequest : Request {
     std::string out;
 };
 
-/// What "depth,n.l" asks for.
+/// The measurements that "depth,n.l" names.
 std::vector<const Measurement*> read_wanted(const std::string& typed) {
     std::vector<const Measurement*> wanted;
     for (const std::string& name : between_commas(typed)) {

@@ -30,7 +30,7 @@ std::string bar(double fraction) {
     return std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(width - full), '.');
 }
 
-/// A stderr that is full or closed is no reason to stop.
+/// Ignores a stderr that is full or closed.
 void put(const std::string& text) {
     std::fputs(text.c_str(), stderr);
     std::fflush(stderr);

@@ -6,14 +6,14 @@
 
 namespace glassbox {
 
-/// Shows on stderr how far long work is and how long it will still take: a bar on a terminal, plain lines elsewhere,
-/// nothing for work that is done in under a second.
+/// Shows on stderr the progress of long work and the time left: a bar on a terminal, plain lines elsewhere, nothing for
+/// work done in under a second.
 class Progress {
 public:
     /// `what` names the work: "rendering". `total` is its number of pixels or rays.
     Progress(std::string what, std::int64_t total);
 
-    /// What the work counts up to `total`.
+    /// The counter that the work counts up to `total`.
     std::atomic<std::int64_t>& done() { return done_; }
 
 private:

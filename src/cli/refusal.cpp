@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// "-o", "--out": all that an option can be called.
+/// "-o", "--out": all names of an option.
 Names names_of(const CLI::Option& option) {
     Names names;
     for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -42,7 +42,7 @@ Names command_names(const CLI::App& program) {
 /// "'render', 'measure', 'shoot'".
 std::string listed(const Names& names) { return fmt::format("'{}'", fmt::join(names, "', '")); }
 
-/// Of an option that was given without a value, so that it took the next option for one.
+/// The message for an option without a value, which took the next option for one.
 std::string option_without_value(const CLI::App& command) {
     const Names known = option_names(command);
     for (const CLI::Option* option : command.get_options())
@@ -55,13 +55,13 @@ std::string option_without_value(const CLI::App& command) {
 
 std::string option_given_twice(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options())
-        if (option->get_items_expected_max() > 0 &&  // no flag: those expect nothing after them
+        if (option->get_items_expected_max() > 0 &&  // no flag: flags take no value
             option->count() > static_cast<std::size_t>(option->get_items_expected_max()))
             return fmt::format("{}: given {} times; give it once", option->get_name(), option->count());
     return "";
 }
 
-/// Of a word that is neither an option of this command nor a value of one.
+/// The message for a word that is neither an option of this command nor a value of one.
 std::string stray_word(const CLI::App& command) {
     Names words = command.remaining();
     words.erase(std::remove(words.begin(), words.end(), "--"), words.end());
@@ -91,7 +91,7 @@ std::string missing_value(const CLI::App& command, const CLI::ParseError& error)
                        option->get_type_name());
 }
 
-/// Of a command line that names no command, or another word where the command should stand.
+/// The message for a command line without a command, or with another word in the command's place.
 std::string command_missing(const CLI::App& program, const std::string& called) {
     const Names commands = command_names(program);
     const Names words = program.remaining();

@@ -5,11 +5,11 @@
 namespace glassbox {
 
 /// The file that SCENE means: the path as typed, or else one of the scenes that come with Glassbox ("levental-2014",
-/// "levental-2014.toml", "scenes/levental-2014.toml"). Throws Error, with what is near, for a name that is neither.
+/// "levental-2014.toml", "scenes/levental-2014.toml"). Throws Error, with similar names, for a name that is neither.
 std::filesystem::path scene_path(const std::string& typed);
 
-/// The folder of the scenes that come with Glassbox: beside the installed program, or in the source tree it was built
-/// in. Empty if neither is there.
+/// The folder of the scenes that come with Glassbox: beside the installed program, or in the source tree that it was
+/// built in. Empty if neither exists.
 std::filesystem::path shipped_scenes();
 
 }  // namespace glassbox

@@ -25,7 +25,7 @@ struct ShootRequest : Request {
     std::string out;  ///< empty: stdout
 };
 
-/// The table would take the place of what it is made from.
+/// Throws Error if the table would replace one of its own inputs.
 void check_keeps_inputs(const ShootRequest& request) {
     std::error_code none;
     for (const fs::path& input : {fs::path(request.rays), scene_path(request.scene)})
@@ -62,7 +62,7 @@ void run(const CLI::App& command, const ShootRequest& request, Session& session)
             request.out, [&](const Sink& sink) { hits_table(shots, scalar, sink); }, stop);
 }
 
-/// A line to copy, and a file to start from.
+/// A command to copy, and a file to start from.
 constexpr const char* example = R"(Example: glassbox shoot room --rays rays.csv --out hits.csv
 where rays.csv, say, holds a ray's origin and direction in each line after the first:
   ox,oy,oz,dx,dy,dz

@@ -4,24 +4,22 @@
 
 namespace glassbox {
 
-/// Writes one line to stderr. It is one printable line whatever file names are in it, and a stderr that is full or
-/// closed is not worth ending the program for.
+/// Writes one line to stderr, printable whatever file names it contains. Ignores a stderr that is full or closed.
 void tell(std::string_view line);
 
-/// Writes to stdout, at the end of what is there already. Throws Error if it is not taken.
+/// Writes to stdout, after what was printed before. Throws Error if the write fails.
 void print_bytes(std::string_view bytes);
 
-/// Writes text to be read to stdout, printable whatever it quotes.
+/// Writes text for a reader to stdout, printable whatever it quotes.
 void print_text(std::string_view text);
 
-/// Writes a file's name to stdout, as a line: as it is for a script that takes it, printable for a terminal.
+/// Writes a file's name to stdout, as a line: unchanged for a script, printable for a terminal.
 void print_name(const std::string& name);
 
-/// Throws Error if something that was printed to stdout did not get there: the disk is full, say.
+/// Throws Error if something printed to stdout was not written, because the disk is full, for example.
 void check_printed();
 
-/// Opens /dev/null in the place of a stderr that was closed: the next file to be opened would take its number, and the
-/// messages.
+/// Opens /dev/null in place of a closed stderr: otherwise the next opened file would take its number, and the messages.
 void keep_stderr_open();
 
 }  // namespace glassbox

@@ -15,7 +15,7 @@
 
 namespace glassbox {
 
-// What the words after an option mean. Each throws `wrong` for a word that means nothing, and says what would be right.
+// Parses the words after an option. Each function throws `wrong` for an invalid word, and says what would be right.
 
 /// "--size: 'x' must be …", for the command line's error message.
 CLI::ValidationError wrong(std::string_view option, const std::string& message);

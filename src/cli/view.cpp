@@ -17,7 +17,7 @@ namespace glassbox {
 
 namespace {
 
-/// What --mine is without a number.
+/// The value of --mine without a number.
 constexpr const char* present_lesson = "true";
 
 struct ViewRequest {
@@ -32,7 +32,7 @@ std::optional<WindowSize> window_size(const ViewRequest& request) {
     return WindowSize{width, height};
 }
 
-/// What is shown at first: a scene, and if asked for the learner's picture of it.
+/// What the viewer shows first: a scene and, on request, the learner's picture of it.
 ViewerState first_state(const ViewRequest& request) {
     const bool mine = !request.mine.empty();
     std::optional<int> lesson;

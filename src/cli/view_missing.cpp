@@ -3,7 +3,7 @@
 
 namespace glassbox {
 
-// Built in place of view.cpp where the viewer's libraries are missing.
+// Compiled instead of view.cpp if the viewer's libraries are missing.
 void add_view(CLI::App& program) {
     CLI::App* command = program.add_subcommand("view", "Open the viewer (not in this build)");
     command->allow_extras();

@@ -6,8 +6,8 @@
 
 namespace glassbox {
 
-/// The steps of a script file: a command a line, quotes around what has blanks, # begins a comment (docs/viewer.md).
-/// Throws Error with file and line for a command that makes no sense.
+/// Reads the steps of a script file: one command per line, quotes around words with blanks, # begins a comment
+/// (docs/viewer.md). Throws Error with file and line for an invalid command.
 std::vector<ScriptStep> read_script(const std::filesystem::path& file);
 
 }  // namespace glassbox

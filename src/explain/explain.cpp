@@ -12,7 +12,7 @@ namespace glassbox {
 
 namespace {
 
-/// How many surfaces a story tells of; more only if more are met.
+/// The most surfaces that a story lists; more only if the ray meets more.
 constexpr std::size_t most_surfaces = 20;
 
 bool is_on_border(const Scene& scene, int x, int y) {

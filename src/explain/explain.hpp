@@ -5,17 +5,17 @@
 
 namespace glassbox {
 
-/// How much of a pixel's story is told.
+/// How much of a pixel's story to tell.
 enum class Detail {
-    recorded,  ///< what was computed at the hit; neither bounds nor truths, and no other surfaces
+    recorded,  ///< what was computed at the hit; neither bounds nor true values, and no other surfaces
     whole,
 };
 
-/// The story of the pixel (x, y), 0 ≤ x < width and 0 ≤ y < height, as `render` computes it. Quick for large scenes,
-/// too, where the job brings their engine.
+/// The story of the pixel (x, y), 0 ≤ x < width and 0 ≤ y < height, as `render` computes it. Fast for large scenes,
+/// too, if the job provides their engine.
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole, Job job = {});
 
-/// What kind of surface has that number.
+/// The kind of the surface with that number.
 story::Kind kind_of(const Scene& scene, std::size_t number);
 
 }  // namespace glassbox

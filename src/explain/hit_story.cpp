@@ -21,7 +21,7 @@ namespace {
 
 using namespace story;
 
-/// What a tape's numbers became; without a replay, their values only.
+/// Looks up a tape's numbers with their bounds and true values; without a replay, only their values.
 class Lookup {
 public:
     Lookup(const Tape& tape, Detail detail) {
@@ -66,7 +66,7 @@ auto record_hit(Tape& tape, NamingProbe<Real>& heard, const TracedPixel& pixel, 
     return RecordedHit<Real, std::remove_const_t<decltype(recorded)>>{ray, recorded, t, by_exact, test_steps};
 }
 
-/// The unit normal, as the renderer finds it.
+/// The unit normal, as the renderer computes it.
 template <class Real, class Shape>
 Vec3<Recorded<Real>> normal_of(const RecordedHit<Real, Shape>& hit) {
     PlainSearch<Recorded<Real>, Stable, Pluecker> search{};

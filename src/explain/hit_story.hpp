@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-/// What was computed where the ray meets its nearest surface: and the colour that the recorded steps give.
+/// What was computed where the ray meets its nearest surface, and the colour that the recorded steps give.
 struct ToldHit {
     story::FirstHit hit;
     Rgb color;

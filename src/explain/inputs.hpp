@@ -6,7 +6,7 @@
 
 namespace glassbox {
 
-// What a tape begins with, under the names that the formulas use.
+// A tape's inputs, under the names that the formulas use.
 
 template <class Real>
 Ray<Recorded<Real>> input(Tape& tape, const Ray<double>& ray) {

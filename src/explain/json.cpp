@@ -17,7 +17,7 @@ using namespace story;
 
 constexpr int version = 1;
 
-/// Numbers that are not finite have no JSON: they become null.
+/// JSON has no infinity or NaN: they become null.
 Json json(const Number& n) {
     return {{"value", n.value}, {"hex", hex(n.recorded)},   {"error", n.error},
             {"true", n.truth},  {"true_hex", hex(n.truth)}, {"off", n.distance},

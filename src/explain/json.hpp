@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-/// The story as JSON, each field as docs/explain.md says.
+/// The story as JSON, with the fields of docs/explain.md.
 std::string to_json(const Story& story);
 
 }  // namespace glassbox

@@ -7,8 +7,8 @@
 
 namespace glassbox {
 
-/// How many bits an operation lost beyond those that its operands had lost; 0 for inputs, comparisons, and where it is
-/// not known how many those are. `steps` are all of its tape.
+/// How many bits an operation lost beyond those that its operands had lost; 0 for inputs, comparisons, and where the
+/// operands' loss is not known. `steps` are all steps of its tape.
 inline double bits_lost_by(std::span<const story::StoryStep> steps, const story::StoryStep& told) {
     const auto lost = [&](StepNumber operand) { return steps[operand].checked.bits_lost; };
     if (operands(told.step.operation) == 0 || !(told.checked.bits_lost > 0)) return 0;
@@ -17,8 +17,8 @@ inline double bits_lost_by(std::span<const story::StoryStep> steps, const story:
     return std::max(0.0, told.checked.bits_lost - std::max(left, right));
 }
 
-/// From how many bits on a sum's or difference's own loss is called a cancellation: a correctly rounded result of exact
-/// operands is off by half a unit in the last place at most, which is log2(1.5) = 0.58 bits.
+/// The loss, in bits, from which a sum or difference counts as a cancellation: a correctly rounded result of exact
+/// operands is off by at most half a unit in the last place, which is log2(1.5) = 0.58 bits.
 inline constexpr double cancellation_from = 1;
 
 inline bool is_cancellation(std::span<const story::StoryStep> steps, const story::StoryStep& told) {

@@ -10,7 +10,7 @@
 
 namespace glassbox {
 
-/// The probe that gives recorded numbers the names that the formulas tell, and keeps them.
+/// The probe that names recorded numbers as the formulas report them, and keeps them.
 template <class Real>
 struct NamingProbe {
     using Number = Recorded<Real>;

@@ -18,11 +18,11 @@ using Long = Dyadic::Long;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// A number as a long float knows it: the true one is at most `error` away from `value`.
+/// A long float with a bound: the true number is at most `error` away from `value`.
 struct LongNumber {
     Long value, error;
 
-    /// An error that grew by the rounding of the result, and of itself.
+    /// Adds the rounding of the result, and of the error itself, to the error.
     static LongNumber rounded(const Long& value, const Long& error) {
         const Long sum = error + ldexp(abs(value), -Dyadic::long_bits);
         return {value, sum + ldexp(sum, 16 - Dyadic::long_bits)};
@@ -36,7 +36,7 @@ struct LongNumber {
     friend LongNumber operator*(const LongNumber& a, const LongNumber& b) {
         return rounded(a.value * b.value, abs(a.value) * b.error + abs(b.value) * a.error + a.error * b.error);
     }
-    /// b must be told apart from 0. |a/b − a'/b'| ≤ (|a − a'| + |a/b| |b − b'|) / |b'|.
+    /// b must surely not be 0. |a/b − a'/b'| ≤ (|a − a'| + |a/b| |b − b'|) / |b'|.
     friend LongNumber operator/(const LongNumber& a, const LongNumber& b) {
         const LongNumber quotient = rounded(a.value / b.value, 0);
         const Long size = abs(quotient.value) + quotient.error;
@@ -49,7 +49,7 @@ struct LongNumber {
     }
     friend LongNumber abs(const LongNumber& a) { return {abs(a.value), a.error}; }
 
-    /// None where the error reaches 0.
+    /// None if the error bound includes 0.
     std::optional<int> sign() const {
         if (abs(value) > error) return value.sign();
         return error == 0 ? std::optional(0) : std::nullopt;
@@ -74,18 +74,18 @@ public:
         const Long value = exact_->to_long();
         return {value, ldexp(abs(value), 8 - Dyadic::long_bits)};  // within a few units of its last place
     }
-    /// None where the bits of a long float do not tell it.
+    /// None if the bits of a long float do not determine it.
     std::optional<int> sign() const { return exact_ ? exact_->sign() : long_.sign(); }
 
 private:
     std::optional<Exact> exact_;
-    int root_ = no_root;  ///< the step that took the square root in it
+    int root_ = no_root;  ///< the step that took its square root
     LongNumber long_;
 };
 
 using MaybeTrue = std::optional<True>;
 
-/// Whether Exact can compute with both at once.
+/// Whether Exact can combine both.
 bool share_a_root(const True& a, const True& b) {
     return a.is_exact() && b.is_exact() &&
            (a.root() == True::no_root || b.root() == True::no_root || a.root() == b.root());
@@ -97,7 +97,7 @@ True combined(const True& a, const True& b, const Do& apply) {
     return True(apply(a.to_long(), b.to_long()));
 }
 
-/// The sign of a − b, if it is told.
+/// The sign of a − b, if it is known.
 std::optional<int> compared(const True& a, const True& b) {
     if (a.is_exact() && b.is_exact()) return compare(a.exact(), b.exact());
     return (a.to_long() - b.to_long()).sign();
@@ -125,15 +125,15 @@ MaybeTrue truth_of(Operation comparison, std::optional<int> order) {
     return True(Exact(holds(comparison, *order) ? 1.0 : 0.0));
 }
 
-/// Of a number of 0 or more.
+/// The square root of a number of 0 or more.
 MaybeTrue root_of(const True& a, int step) {
     if (a.is_exact() && a.root() == True::no_root) return True(sqrt(a.exact()), step);
     if (a.sign() == 0) return a;
     return True(sqrt(a.to_long()));
 }
 
-/// How far at most a power of long floats is from the true one, as a part of it: logarithm and exponential are good to
-/// some hundred units in the last place, and the exponent enlarges what the logarithm is off.
+/// Bounds the relative error of a power of long floats: logarithm and exponential are accurate to some hundred units in
+/// the last place, and the exponent multiplies the logarithm's error.
 Long error_of_power(const Long& base, const Long& exponent) {
     return ldexp(1 + abs(exponent) * (1 + abs(log(base))), 20 - Dyadic::long_bits);
 }
@@ -191,7 +191,8 @@ MaybeTrue truth_of(const Step& step, int number, const MaybeTrue& a, const Maybe
     }
 }
 
-/// Between the powers of the ends of the base's interval: a power of a base of 0 or more only rises with it.
+/// Bounds a power by those of the ends of the base's interval: the power of a base of 0 or more only rises with the
+/// base.
 Bounded power_within(double value, const Bounded& base, const Bounded& exponent) {
     if (exponent.error != 0 || !(exponent.value >= 0) || !is_known(base) || !(base.value + base.error >= 0))
         return {value, infinity};
@@ -219,7 +220,7 @@ Kleene truth_within(Operation comparison, const Bounded& a, const Bounded& b) {
     }
 }
 
-/// 0 where the bounds prove what was recorded, else 1.
+/// 0 if the bounds prove the recorded answer, else 1.
 double doubt(const Kleene& truth, bool recorded) { return (recorded ? surely(truth) : !possibly(truth)) ? 0.0 : 1.0; }
 
 Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
@@ -251,15 +252,15 @@ Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
     }
 }
 
-/// The bound about the value that was recorded, where the two have parted: a float was rounded again, a long double
-/// less, and 0 times infinity is no number.
+/// The bound about the recorded value, which may differ from the bound's own: a float was rounded again, a long double
+/// less, and 0 times infinity is NaN.
 Bounded about(double recorded, const Bounded& bound) {
     if (bound.value == recorded) return {recorded, std::isnan(bound.error) ? infinity : bound.error};
     const double error = Bounded::up(bound.error + std::abs(bound.value - recorded));
     return {recorded, std::isnan(error) ? infinity : error};
 }
 
-/// What a long double adds to the bound about the nearest double.
+/// What a long double adds to the bound about its nearest double.
 double beyond_double(long double recorded) {
     if (!std::isfinite(recorded)) return 0;
     const long double rest = std::abs(recorded - static_cast<long double>(static_cast<double>(recorded)));
@@ -270,14 +271,14 @@ double lost(long double number, const Long& distance, const Precision& precision
     return std::min(bits_lost(number, distance, precision), double(precision.digits));
 }
 
-/// |truth − number|, the number finite; 0 where a long float does not tell it from that.
+/// |truth − number| for a finite number; 0 if a long float cannot tell the two apart.
 Long distance_to(const True& truth, long double number) {
     if (truth.is_exact()) return distance(number, truth.exact());
     const LongNumber off = truth.to_long() - LongNumber{Long(number), 0};
     return off.sign() ? Long(abs(off.value)) : Long(0);
 }
 
-/// What became of a number whose error bound is known, without the bound.
+/// Checks a number whose true value is known; leaves the error bound to the caller.
 Checked checked(long double recorded, const True& truth, const Precision& precision) {
     Checked result{.value = static_cast<double>(recorded), .recorded = recorded};
     result.known = truth.is_exact() ? Known::exactly : Known::to_long_float;
@@ -291,7 +292,7 @@ Checked checked(long double recorded, const True& truth, const Precision& precis
     }
     const Long distance = distance_to(truth, recorded);
     result.distance = static_cast<double>(distance);
-    // A truth too small for the scalar is lost whole, though its distance is less than a unit in the last place.
+    // A true value too small for the scalar is lost completely, though it is off by less than a unit in the last place.
     result.bits_lost = !sign                         ? not_a_number
                        : recorded == 0 && *sign != 0 ? precision.digits
                                                      : lost(recorded, distance, precision);
@@ -310,7 +311,7 @@ Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth, 
                   .bits_lost = not_a_number,
                   .known = Known::not_at_all};
     const bool compares = is_comparison(step.operation);
-    if (!truth && !compares) return result;  // nothing is near to what is not there
+    if (!truth && !compares) return result;  // without a true value there is no bound
     if (truth && compares) result.bits_lost = 0;
     const double beyond = beyond_double(step.value);
     result.error = beyond == 0 ? bound.error : Bounded::up(bound.error + beyond);

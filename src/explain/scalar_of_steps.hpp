@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-/// The scalar that a story's steps are in: the one that the picture is computed in. In `certified` and `exact` that is
-/// double, from t on: exact arithmetic decides what is met, and where.
+/// The scalar of a story's steps: the one that computes the picture. For `certified` and `exact` that is double, from t
+/// on: exact arithmetic decides what the ray meets, and where.
 constexpr Scalar scalar_of_steps(Scalar scalar) { return is_proven(scalar) ? Scalar::double_ : scalar; }
 
 /// Calls `use` with that scalar's std::type_identity.

@@ -19,7 +19,7 @@ std::string in_single_quotes(std::string_view word) {
     return result + '\'';
 }
 
-/// $'…', in which bytes can be written as octal numbers: POSIX has it since 2024, bash and zsh always had it.
+/// $'…', in which bytes can be written as octal numbers: in POSIX since 2024, and always in bash and zsh.
 std::string in_dollar_quotes(std::string_view word) {
     std::string result = "$'";
     while (!word.empty()) {

@@ -3,8 +3,8 @@
 
 namespace glassbox {
 
-/// A word of a command line as a shell reads it back: in quotes where it needs them, and printable, so that it can be
-/// copied from a terminal and pasted into one.
+/// A word of a command line as a shell reads it back: quoted if necessary, and printable, so that it can be copied from
+/// one terminal and pasted into another.
 std::string shell_word(const std::string& word);
 
 }  // namespace glassbox

@@ -16,7 +16,7 @@
 
 namespace glassbox {
 
-/// The parts of a pixel's story. All numbers are those that the formulas computed, each with what became of it.
+/// The parts of a pixel's story. All numbers are those that the formulas computed, each with its check.
 namespace story {
 
 using Number = Checked;
@@ -25,20 +25,20 @@ struct Vector {
     Number x, y, z;
 };
 
-/// What became of a surface, and why.
+/// A surface's result, and the reason.
 enum class Fate {
-    nearest,           ///< met, and nothing is met before
+    nearest,           ///< met, and nothing before it
     as_near,           ///< met, exactly as near as the nearest, which is listed later
     farther,           ///< met, behind the nearest
     apart,             ///< a sphere that the line does not touch: Δ < 0
     touched,           ///< a sphere that the line only touches, Δ = 0, by the rule of the paper's program
-    from_inside,       ///< a sphere whose nearer root lies behind, by the same rule, which knows no other
+    from_inside,       ///< a sphere whose nearer root lies behind, by the same rule, which uses no other
     outside,           ///< a triangle that the line passes: side products of both signs
     edge_on,           ///< a triangle seen exactly edge-on, or without area: all side products are 0
     behind,            ///< the line meets it, at t ≤ 0
-    overflow,          ///< a number that decides is not finite: too large for the scalar
-    beyond_tolerance,  ///< the tolerance rule refused it
-    refused,           ///< the rule or the scalar refused it for reasons of its own
+    overflow,          ///< a deciding number is not finite: too large for the scalar
+    beyond_tolerance,  ///< rejected by the tolerance rule
+    refused,           ///< rejected by the rule or the scalar for another reason
 };
 
 /// Whether the ray meets the surface.
@@ -58,16 +58,16 @@ struct SphereTest {
 
 struct TriangleTest {
     std::array<Vec3<double>, 3> vertices;
-    Number a, b, c;         ///< the side products, each named for the vertex opposite to its edge
-    Number sum, deficit;    ///< a+b+c and | |a+b+c| − (|a|+|b|+|c|) |
-    double tolerance = 10;  ///< of the paper's rule
-    bool accepted = false;  ///< what that rule says
-    std::optional<std::array<Number, 3>> weights;  ///< a, b and c over their sum: of a triangle that the line meets
+    Number a, b, c;                                ///< the side products, each named after the vertex opposite its edge
+    Number sum, deficit;                           ///< a+b+c and | |a+b+c| − (|a|+|b|+|c|) |
+    double tolerance = 10;                         ///< of the paper's rule
+    bool accepted = false;                         ///< that rule's answer
+    std::optional<std::array<Number, 3>> weights;  ///< a, b and c over their sum, for a triangle that the line meets
 };
 
 enum class Kind { sphere, triangle, mesh_face };
 
-/// A step of the tape with its name and what became of it.
+/// A step of the tape with its name and its check.
 struct StoryStep {
     Step step;
     std::string name;
@@ -79,43 +79,43 @@ struct Surface {
     Kind kind = Kind::sphere;
     Rgb color;
     Fate fate = Fate::refused;
-    std::optional<Number> t;    ///< where the line meets it, if it does
-    bool needed_exact = false;  ///< error bounds could not tell whether it is met
+    std::optional<Number> t;    ///< where the line meets the surface, if it does
+    bool needed_exact = false;  ///< error bounds could not decide whether it is met
     std::variant<SphereTest, TriangleTest> test;
-    std::vector<StoryStep> steps;  ///< of the test by the rule that was chosen
+    std::vector<StoryStep> steps;  ///< of the test by the chosen rule
 };
 
-/// One term of the shading: k, what it comes to at this point, and its light.
+/// One term of the shading: k, its value at this point, and its light.
 struct Term {
     double k = 0;
     Number factor;  ///< k_a, I k_d max(0, n·l), I k_s max(0, n·h)^e
     Vec3<double> color;
     Vector product;
-    Rgb bytes;  ///< the product cut to whole bytes, as levental-2014 adds them
+    Rgb bytes;  ///< the product truncated to bytes, as levental-2014 adds them
 };
 
 struct Shade {
     ShadingModel model = ShadingModel::blinn_phong;
     double intensity = 1, exponent = 0;
-    Vector L, l, r;  ///< towards the light as given and of length 1; towards the viewer
+    Vector L, l, r;  ///< towards the light, as given and normalized; towards the viewer
     Number n_l, n_r;
-    Vector h;          ///< the half vector; in Phong's own form the reflection 2(n·l)n − l
-    Number highlight;  ///< n·h; in Phong's own form r·(2(n·l)n − l)
+    Vector h;          ///< the half vector; in Phong's original model the reflection 2(n·l)n − l
+    Number highlight;  ///< n·h; in Phong's original model r·(2(n·l)n − l)
     Term ambient, diffuse, specular;
     Vector sum;  ///< of the products
 };
 
-/// Where the ray first meets a surface, and all that was computed there.
+/// Where the ray first meets a surface, and everything computed there.
 struct FirstHit {
     std::size_t surface = 0;
     Number t;
-    bool t_by_exact = false;  ///< t is the truth rounded once, and not what the steps give
+    bool t_by_exact = false;  ///< t is the true value rounded once, not the steps' result
     Vector point, normal;
     std::optional<Shade> shade;       ///< from stage 4
     std::vector<StoryStep> steps;     ///< from the surface's test on
-    std::size_t tested_before = 0;    ///< so many of them are that test again, as the surface's own steps tell it
+    std::size_t tested_before = 0;    ///< how many of them repeat that test, as in the surface's own steps
     std::optional<StepNumber> worst;  ///< the step that lost the most bits beyond those of its operands
-    double worst_loss = 0;            ///< how many
+    double worst_loss = 0;            ///< how many bits
 };
 
 }  // namespace story
@@ -123,17 +123,17 @@ struct FirstHit {
 /// Everything about one pixel.
 struct Story {
     std::string title;    ///< the scene's
-    std::string command;  ///< what shows this story again; filled in by who knows the command line
+    std::string command;  ///< the command that shows this story again; filled in by the command line's code
     int width = 0, height = 0;
     int x = 0, y = 0;         ///< the pixel; (0, 0) is top left
     int column = 0, row = 0;  ///< the same, from the bottom left
     Options options;
     Rgb color;            ///< the pixel's
     bool border = false;  ///< it is on the border, which is painted over the picture
-    Rgb traced;           ///< what the ray brings: differs from `color` on the border only
+    Rgb traced;           ///< the ray's colour: differs from `color` only on the border
     Ray<double> ray;
     std::optional<story::Vector> ray_color;   ///< stage 1: the direction as a colour
-    std::vector<story::StoryStep> ray_steps;  ///< and how it was computed
+    std::vector<story::StoryStep> ray_steps;  ///< its computation
     std::size_t tested = 0, met = 0;
     std::vector<story::Surface> surfaces;  ///< those met, and the nearest misses
     std::size_t not_listed = 0;            ///< how many more were missed

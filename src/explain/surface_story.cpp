@@ -17,18 +17,18 @@ namespace {
 
 using namespace story;
 
-/// The probe that keeps how far a ray misses a surface, as a fraction: 0 where its line does not.
+/// The probe that measures by how much a ray misses a surface, as a fraction: 0 if its line does not miss.
 struct Nearness {
     double miss = 0;
 
     template <class What, class... Values>
     void operator()(What, const Values&...) {}
 
-    /// What Δ lacks, beside D²r², which it would be through the centre.
+    /// How far Δ is below 0, as a part of its distance from D²r², its value for a line through the centre.
     void operator()(told::Discriminant, double discriminant) {
         if (discriminant < 0) miss = discriminant / (discriminant - through_centre);
     }
-    /// The smaller of the positive and the negative part of the sides, beside both.
+    /// The smaller of the positive and the negative part of the sides, relative to their total.
     void operator()(told::Sides, double a, double b, double c) {
         double positive = 0, negative = 0;
         for (const double side : {a, b, c}) (side > 0 ? positive : negative) += std::abs(side);
@@ -58,7 +58,7 @@ const Hit<long double>* met(const TracedPixel& pixel, std::size_t number) {
     return hit != pixel.met.end() && hit->surface == number ? &*hit : nullptr;
 }
 
-/// A surface tested by a rule, each operation of it on tape.
+/// A surface's test by a rule, with each operation recorded on a tape.
 template <class Real>
 struct RecordedTest {
     Tape tape{Precision::of<Real>()};
@@ -124,13 +124,13 @@ TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, c
     return result;
 }
 
-/// The sign that decided: the true one where the renderer proves it, else that of the computed number.
+/// The deciding sign: the true one if the renderer proves it, else that of the computed number.
 int deciding_sign(const Number& number, const Options& options) {
     if (is_proven(options.scalar) && number.known != Known::not_at_all && !may_be_zero(number)) return number.sign;
     return number.recorded > 0 ? 1 : number.recorded < 0 ? -1 : 0;
 }
 
-/// Whether a number that decides was lost to overflow; what is proven does not stand on it.
+/// Whether a deciding number overflowed; proven answers do not depend on it.
 bool is_lost(const Number& number, const Options& options) {
     return !is_proven(options.scalar) && !std::isfinite(number.recorded);
 }
@@ -148,7 +148,7 @@ Fate why_missed(const SphereTest& test, const Options& options) {
     return history && deciding_sign(*roots.t0, options) <= 0 ? Fate::from_inside : Fate::refused;
 }
 
-/// Why a triangle was missed; `t` is where the line meets its plane, if that was asked.
+/// Why a triangle was missed; `t` is where the line meets its plane, if it was computed.
 Fate why_missed(const TriangleTest& test, const std::optional<Number>& t, const Options& options) {
     if (is_lost(test.a, options) || is_lost(test.b, options) || is_lost(test.c, options)) return Fate::overflow;
     if (std::holds_alternative<Tolerance>(options.triangle_rule)) {
@@ -178,7 +178,7 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     RecordedTest<Real> tested(ray, shape, rule);
     name(tested.crossing.t, "t");
     tested.replay();
-    if (tested.crossing.t.tape()) result.t = tested(tested.crossing.t);  // if the rule came to that
+    if (tested.crossing.t.tape()) result.t = tested(tested.crossing.t);  // if the rule computed it
     result.steps = told_steps(tested.tape, tested.checked);
     const Hit<long double>* const hit = met(pixel, number);
     if (!hit) {
@@ -205,7 +205,7 @@ auto with_rule(const engine::Engine& surfaces, std::size_t number, const Options
     });
 }
 
-/// Whether two surfaces are met at the same t: truly, where the renderer proves it, else as far as its scalar tells.
+/// Whether two surfaces are met at the same t: truly, if the renderer proves it, else as far as its scalar tells.
 bool are_as_near(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel, std::size_t one,
                  std::size_t other) {
     if (!is_proven(options.scalar)) return met(pixel, one)->t == met(pixel, other)->t;

@@ -8,11 +8,11 @@
 
 namespace glassbox {
 
-/// The numbers of the surfaces to tell of: those met, and then those that the ray misses by the least, at most `most`
-/// in all; in the order of their numbers.
+/// The numbers of the surfaces worth telling: those met, and then those that the ray misses by the least, at most
+/// `most` in all; in the order of their numbers.
 std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel, std::size_t most);
 
-/// What became of one surface. Its kind and colour are left to fill in.
+/// The story of one surface. The caller fills in its kind and colour.
 story::Surface surface_story(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
                              std::size_t number);
 

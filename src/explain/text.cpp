@@ -107,7 +107,7 @@ void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
               tolerance_phrase(test), test.accepted ? "hit" : "miss");
 }
 
-/// Of many surfaces only those met are told in full.
+/// If there are many surfaces, only those met are told in full.
 bool is_told_in_full(const Surface& surface, const Story& story) {
     return story.not_listed == 0 || is_met(surface.fate);
 }

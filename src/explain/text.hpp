@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-/// The story to be read: UTF-8, lines of at most 100 columns; numbers to 6 digits.
+/// The story as readable text: UTF-8, lines of at most 100 columns; numbers to 6 digits.
 std::string to_text(const Story& story);
 
 }  // namespace glassbox

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-/// A tape's steps with their names and what became of them; only the first ones, if the tape went on after `checked`.
+/// A tape's steps with their names and checks; only the first ones, if the tape has grown since `checked`.
 inline std::vector<story::StoryStep> told_steps(const Tape& tape, const std::vector<Checked>& checked) {
     std::vector<story::StoryStep> told;
     told.reserve(checked.size());

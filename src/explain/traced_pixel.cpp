@@ -9,7 +9,7 @@ namespace glassbox {
 
 namespace {
 
-/// The probe that keeps what becomes of the surfaces.
+/// The probe that keeps the surfaces' results.
 struct PixelProbe {
     static constexpr bool only_verdicts = true;
 
@@ -48,7 +48,7 @@ TracedPixel traced_pixel(const Scene& scene, const Options& options, int x, int 
                                 const auto ray = convert<typename Search::Number>(result.ray);
                                 result.color = tracer.color(ray, x, scene.height - 1 - y, probe);
                             });
-    std::ranges::sort(result.met, {}, &Hit<long double>::surface);  // the engine meets them in another order
+    std::ranges::sort(result.met, {}, &Hit<long double>::surface);  // the engine finds them in another order
     return result;
 }
 

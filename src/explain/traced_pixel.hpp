@@ -13,7 +13,7 @@
 
 namespace glassbox {
 
-/// What the renderer itself says about one pixel, with its own scalar and rules.
+/// The renderer's own answer for one pixel, with its own scalar and rules.
 struct TracedPixel {
     Ray<double> ray;
     Rgb color;

@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-// The words that text and JSON have in common.
+// Words shared by text and JSON.
 
 std::string_view word(Operation operation);
 std::string_view word(Known known);

@@ -16,7 +16,7 @@ namespace glassbox {
 
 namespace {
 
-/// The same number, of which the compiler knows nothing beforehand.
+/// Returns the same number, hidden from the compiler's optimizer.
 template <class Real>
 Real given(Real number) {
     volatile Real hidden = number;
@@ -29,12 +29,12 @@ inline constexpr Real ulp = std::numeric_limits<Real>::epsilon();
 template <class Real>
 bool has_ieee_format() {
     using Limits = std::numeric_limits<Real>;
-    const bool wide = Limits::digits == 64 || Limits::digits == 113;  // of x87 and of most others
+    const bool wide = Limits::digits == 64 || Limits::digits == 113;  // x87's and most others'
     return Limits::is_iec559 && Limits::radix == 2 &&
            (sizeof(Real) == 4 ? Limits::digits == 24 : Limits::digits == 53 || (sizeof(Real) > 8 && wide));
 }
 
-/// Ties go to the even neighbour, on both sides of 0; and a number beside a tie to the nearer one.
+/// Whether ties go to the even neighbour, on both sides of 0, and a number beside a tie to the nearer one.
 template <class Real>
 bool rounds_to_nearest() {
     const Real one = given(Real(1)), u = given(ulp<Real>), half = given(u / 2);
@@ -43,22 +43,22 @@ bool rounds_to_nearest() {
            -next - half == -one - 2 * u && one + half * next == next && one - half / 2 == one;
 }
 
-/// a·b − a·b is 0 unless one of the products was fused with the difference, and so not rounded.
+/// a·b − a·b is 0 unless one of the products is fused with the difference, and so not rounded.
 template <class Real>
 bool rounds_each_operation() {
     const Real a = given(Real(0.1)), b = given(Real(1) / 3), c = given(Real(0.1)), d = given(Real(1) / 3);
     return a * b - c * d == 0;
 }
 
-/// What is too small for the last place of a sum is lost, and does not come back by reordering; x/n is divided, not
-/// multiplied by 1/n, which is rounded: 41·(1/41) is not 1 in float, nor 49·(1/49) in double.
+/// Whether a term too small for the last place of a sum is lost, and no reordering brings it back; and whether x/n is
+/// divided, not multiplied by the rounded 1/n: 41·(1/41) is not 1 in float, nor 49·(1/49) in double.
 template <class Real>
 bool keeps_the_order() {
     const Real big = given(Real(1)), small = given(ulp<Real> / 4);
     bool divides = true;
     for (const int n : {41, 49}) {
         const Real x = given(static_cast<Real>(n)), one = given(x), two = given(2 * x), three = given(3 * x);
-        divides = divides && (one / x == 1) & (two / x == 2) & (three / x == 3);  // & : all three are divided
+        divides = divides && (one / x == 1) & (two / x == 2) & (three / x == 3);  // & instead of &&: divides all three
     }
     return (big + small) - big == 0 && (small - big) + big == 0 && divides;
 }
@@ -70,8 +70,7 @@ bool knows_nan_and_infinity() {
     return nan != nan && !(nan < 0) && !(nan > 0) && !(nan == 0) && infinity > most && 2 * most == infinity;
 }
 
-/// Whether the number is not 0, asked of its bits: a processor that takes subnormal numbers for 0 compares them so,
-/// too.
+/// Whether the number is not 0, by its bits: a processor that treats subnormal numbers as 0 compares them as 0, too.
 template <class Real>
 bool is_there(Real number) {
     if constexpr (sizeof(Real) == 4) return std::bit_cast<std::uint32_t>(number) != 0;
@@ -79,7 +78,7 @@ bool is_there(Real number) {
     else return number != 0;
 }
 
-/// By all four operations, and by a conversion.
+/// Whether sums, differences, products and quotients can be subnormal.
 template <class Real>
 bool makes_subnormals() {
     using Limits = std::numeric_limits<Real>;
@@ -95,7 +94,7 @@ bool takes_subnormals() {
     return smallest > 0 && smallest * scale * 2 == Limits::min() * 2 && Limits::min() - smallest < Limits::min();
 }
 
-/// Exactly this number: the sum of up to three doubles that it is made of.
+/// The number's exact value, as the sum of up to three doubles.
 template <class Real>
 Dyadic exact(Real number) {
     Dyadic sum;
@@ -107,8 +106,8 @@ Dyadic exact(Real number) {
     return sum;
 }
 
-/// Whether the root is the nearest number to the true one: x lies between the squares of the points half way to the
-/// root's neighbours.
+/// Whether the computed root is the number nearest to the true one: x lies between the squares of the points halfway to
+/// the root's neighbours.
 template <class Real>
 bool is_nearest_root(Real x) {
     using std::sqrt;
@@ -119,7 +118,7 @@ bool is_nearest_root(Real x) {
     return (four_x - down * down).sign() > 0 && (up * up - four_x).sign() > 0;
 }
 
-/// Hard ones, whose roots lie beside the middle of two numbers, and some others.
+/// Tries hard cases, whose roots lie close to the midpoint of two numbers, and some others.
 template <class Real>
 bool rounds_roots() {
     const Real u = ulp<Real>;
@@ -131,7 +130,7 @@ bool rounds_roots() {
     return right;
 }
 
-/// A double that a float cannot hold becomes the nearest float.
+/// Whether a double that a float cannot hold becomes the nearest float.
 bool rounds_conversions() {
     const double tie = given(1 + 0x1p-24), above = given(1 + 0x1p-24 + 0x1p-52), odd = given(1 + 0x1.8p-23);
     return static_cast<float>(tie) == 1 && static_cast<float>(above) == 1 + 0x1p-23f &&

@@ -8,8 +8,8 @@
 
 namespace glassbox {
 
-/// How many of a finite number's last bits are lost if it is so far off: log2(ulps + 1), with ulps the distance in
-/// units in the last place of the number. 0 where it is not off at all, 1 for one ulp.
+/// How many of a finite number's last bits are lost at that distance from the truth: log2(ulps + 1), where ulps is the
+/// distance in units in the last place of the number. 0 for no distance, 1 for one ulp.
 inline double bits_lost(long double number, const Dyadic::Long& distance, const Precision& precision) {
     int exponent = precision.min_exponent;
     if (number != 0) std::frexp(number, &exponent);
@@ -22,7 +22,7 @@ inline Dyadic::Long distance(long double number, const Exact& truth) {
     return abs((truth - Exact::from(number)).to_long());
 }
 
-/// How many of a number's last bits are not those of the true one.
+/// How many of a computed number's last bits are lost; infinite if it is not finite.
 template <class Real>
 double bits_lost(Real computed, const Exact& truth) {
     if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();

@@ -10,15 +10,15 @@
 
 namespace glassbox {
 
-/// A whole number times a power of ten: what every printed number is, and every finite double, to its last digit. Sums,
-/// products and comparisons are exact; so it can be told on which side of a double its print lies.
+/// An integer times a power of ten: the exact value of every printed number and of every finite double. Sums, products
+/// and comparisons are exact, so one can tell on which side of a double its printed form lies.
 class Decimal {
 public:
     using Integer = Dyadic::Integer;
 
     Decimal() = default;
 
-    /// `value` must be finite. Below the point, m · 2⁻ᵏ = m 5ᵏ · 10⁻ᵏ.
+    /// `value` must be finite. A fraction becomes m · 2⁻ᵏ = m 5ᵏ · 10⁻ᵏ.
     explicit Decimal(double value) {
         if (value == 0) return;
         int exponent = 0;
@@ -31,7 +31,7 @@ public:
         place_ = std::min(exponent, 0);
     }
 
-    /// A number as it is printed: "-0.25", "3.1e-10".
+    /// Reads a printed number: "-0.25", "3.1e-10".
     explicit Decimal(std::string_view printed) {
         const std::size_t e = printed.find_first_of("eE");
         if (e != std::string_view::npos) {
@@ -83,7 +83,7 @@ public:
         const Integer size = (abs(digits_) + half) / unit;
         return {sign() < 0 ? Integer(-size) : size, place};
     }
-    /// Of a number of 0 or more: the least number of so many digits that is not below it.
+    /// The least number with that many digits that is not below this one, which must be 0 or more.
     Decimal rounded_up(int digits) const {
         const int place = first_place() - digits + 1;
         if (place <= place_) return *this;

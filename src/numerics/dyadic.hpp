@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-/// A whole number times a power of two: what every finite double is. Sums, differences and products are exact.
+/// An integer times a power of two: the exact value of every finite double. Sums, differences and products are exact.
 class Dyadic {
 public:
     using Integer = boost::multiprecision::number<
@@ -15,7 +15,7 @@ public:
                                                boost::multiprecision::unchecked,
                                                std::allocator<boost::multiprecision::limb_type>>,
         boost::multiprecision::et_off>;
-    /// A binary float long enough that what it adds to a rounding to double cannot be seen.
+    /// A binary float so long that its own rounding is negligible beside a rounding to double.
     static constexpr int long_bits = 320;
     using Long = boost::multiprecision::number<
         boost::multiprecision::cpp_bin_float<long_bits, boost::multiprecision::digit_base_2, void, std::int64_t>,
@@ -33,7 +33,7 @@ public:
         exponent_ = exponent - 53 + zeros;
     }
 
-    /// A long double, which may have more bits than a double, or lie beyond all of them. It must be finite.
+    /// Converts a long double, which may have more bits than a double or lie beyond its range. It must be finite.
     static Dyadic from(long double value) {
         int exponent = 0;
         long double rest = std::frexp(value, &exponent);
@@ -65,7 +65,7 @@ public:
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
         return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
     }
-    /// Written with the same mantissa and exponent: equal numbers may not be, as 2·2⁰ and 1·2¹ are not.
+    /// Whether mantissa and exponent are the same. Those of equal numbers may differ: 2·2⁰ and 1·2¹.
     friend bool is_written_alike(const Dyadic& a, const Dyadic& b) {
         return a.exponent_ == b.exponent_ && a.mantissa_ == b.mantissa_;
     }

@@ -10,10 +10,11 @@
 
 namespace glassbox {
 
-/// A number without any rounding: (p + q√d) / r with dyadic p, q, d ≥ 0 and r > 0. That is all that a ray and a sphere
-/// can bring forth: rationals, and one square root at a time, whose signs can be found by squaring.
+/// An exact number (p + q√d) / r with dyadic p, q, d ≥ 0 and r > 0. A ray and a sphere need no more: rationals and one
+/// square root at a time, whose signs can be found by squaring.
 ///
-/// Sums, products and quotients take operands with the same root, or with none; comparisons take any, and decide all.
+/// Sums, products and quotients take operands with the same root, or with none; comparisons take any operands and
+/// always decide.
 class Exact {
 public:
     Exact() = default;
@@ -44,7 +45,7 @@ public:
     /// b must not be 0. (p + q√d)(p − q√d) = p² − q²d clears the root from the denominator; where that is 0, q√d is p.
     friend Exact operator/(const Exact& a, const Exact& b) {
         Dyadic n = b.p_;
-        Exact turned(times(Dyadic(1), b.r_), {}, {});  // what a is multiplied with: a/b = a turned / n
+        Exact turned(times(Dyadic(1), b.r_), {}, {});  // the factor for a: a/b = a turned / n
         if (b.root_) {
             const auto& [q, d] = *b.root_;
             n = b.p_ * b.p_ - q * q * d;
@@ -74,15 +75,15 @@ public:
         if (!a.root_ && !b.root_) return A.sign();
         const auto [B, d] = times(a.root_, b.r_).value_or(Root{});
         const auto [C, e] = times(b.root_, a.r_).value_or(Root{});
-        // The sign of (A + B√d) − C√e: if the two parts disagree, the one with the greater square wins.
+        // The sign of (A + B√d) − C√e: if the two parts have opposite signs, the one with the greater square decides.
         const int first = sign_of(A, B, d), second = -C.sign();
         if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
         const Dyadic two(2);
         return first * sign_of(A * A + B * B * d - C * C * e, two * A * B, d);
     }
 
-    /// The number as a long float, within a few units of its last place: where p and q√d would cancel,
-    /// (p² − q²d) / (p − q√d) is taken instead.
+    /// The number as a long float, within a few units of its last place. Where p and q√d would cancel, computes
+    /// (p² − q²d) / (p − q√d) instead.
     Dyadic::Long to_long() const {
         const Dyadic::Long p = p_.to_long(), r = r_ ? r_->to_long() : Dyadic::Long(1);
         if (!root_) return p / r;
@@ -92,7 +93,7 @@ public:
         return (p_ * p_ - q * q * d).to_long() / ((p - root) * r);
     }
 
-    /// The nearest double, and a bound on how far it is: nearly all of it is that double's own rounding.
+    /// The nearest double with a bound on its error, nearly all of which is that double's own rounding.
     Bounded to_bounded() const {
         const Dyadic::Long exact = to_long();
         const auto nearest = static_cast<double>(exact);
@@ -106,7 +107,7 @@ public:
     }
 
 private:
-    /// q√d: neither is 0.
+    /// q√d; neither q nor d is 0.
     struct Root {
         Dyadic q, d;
     };
@@ -116,7 +117,7 @@ private:
         if (root_ && (root_->q.sign() == 0 || root_->d.sign() == 0)) root_.reset();
     }
 
-    // Where there is no r it is 1, and costs nothing.
+    // A missing r is 1, and costs nothing.
     static Dyadic times(const Dyadic& x, const std::optional<Dyadic>& r) { return r ? x * *r : x; }
     static std::optional<Root> times(const std::optional<Root>& root, const Dyadic& factor) {
         if (!root) return {};
@@ -132,13 +133,13 @@ private:
     static bool is_same(const std::optional<Dyadic>& a, const std::optional<Dyadic>& b) {
         return a && b ? is_written_alike(*a, *b) : !a && !b;
     }
-    /// Of the same d, where both are there.
+    /// The sum of two roots, with the same d if both are there.
     static std::optional<Root> sum(const std::optional<Root>& a, const std::optional<Root>& b) {
         if (!a || !b) return a ? a : b;
         return Root{a->q + b->q, a->d};
     }
 
-    /// Of p + q√d.
+    /// The sign of p + q√d.
     static int sign_of(const Dyadic& p, const Dyadic& q, const Dyadic& d) {
         const int first = p.sign(), second = d.sign() == 0 ? 0 : q.sign();
         if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;

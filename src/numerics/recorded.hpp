@@ -15,8 +15,8 @@ namespace glassbox {
 template <class Real>
 class Operand;
 
-/// What comparing two recorded numbers answers: a bool, of a type of its own because `&` of two calls that write on a
-/// tape looks like a mistyped `&&` to a compiler.
+/// The result of comparing two recorded numbers: a bool in a type of its own, because compilers take `&` between two
+/// calls that write to a tape for a mistyped `&&`.
 struct RecordedTruth {
     bool truth = false;
 
@@ -25,9 +25,9 @@ struct RecordedTruth {
     friend constexpr RecordedTruth operator&(RecordedTruth a, RecordedTruth b) { return a.truth && b.truth; }
 };
 
-/// A float, double or long double that writes down where it comes from: each operation with it becomes a step of its
-/// tape, with its operands, its result and the line of source that asked for it. The results are the scalar's own, bit
-/// for bit, and comparisons answer what the scalar's would, so that a formula goes the same way as in the picture.
+/// A float, double or long double that records how it was computed: each operation appends a step to its tape, with the
+/// operands, the result and the source line. Results equal the scalar's own, bit for bit, and comparisons answer as the
+/// scalar's would, so a formula takes the same branches as in the picture.
 ///
 /// Numbers without a tape are constants. The tape must outlive its numbers.
 template <class Real>
@@ -40,7 +40,7 @@ public:
     requires std::is_arithmetic_v<Number>
     constexpr Recorded(Number constant) : value_(static_cast<Real>(constant)) {}
 
-    /// A number that comes from outside, by name. Where the scalar cannot hold it, rounding it is a step, too.
+    /// A named input. If the scalar cannot hold it, its rounding is a step, too.
     static Recorded input(Tape& tape, double value, const std::string& name) {
         assert(tape.precision() == Precision::of<Real>());
         const StepNumber given = tape.append({.operation = Operation::input, .value = value});
@@ -81,7 +81,7 @@ public:
         return b.result(a, Operation::power, std::pow(a.value_, b.value()));
     }
 
-    /// Not a step: a formula asks it only about numbers too large to go on with.
+    /// Not a step: formulas ask it only about numbers too large to continue with.
     friend bool isfinite(const Recorded& a) { return std::isfinite(a.value_); }
 
     friend RecordedTruth operator<(const Recorded& a, const Last& b) {
@@ -107,7 +107,7 @@ private:
     friend Last;
     constexpr Recorded(Real value, Tape* tape, StepNumber step) : value_(value), tape_(tape), step_(step) {}
 
-    /// Where the number stands on a tape: a constant is written down first.
+    /// The number's step on a tape; appends a constant first.
     StepNumber step_on(Tape& tape) const {
         return tape_ ? step_ : tape.append({.operation = Operation::constant, .value = value_});
     }
@@ -117,11 +117,12 @@ private:
     StepNumber step_ = 0;
 };
 
-/// The last operand of an operation. It is made where the operation stands, and so knows the file and the line.
+/// The last operand of an operation. It is constructed where the operation is written, and so knows the file and the
+/// line.
 template <class Real>
 class Operand {
 public:
-    // __builtin_FILE and __builtin_LINE are what std::source_location stands on; not all our compilers have that.
+    // std::source_location is built on __builtin_FILE and __builtin_LINE; not all our compilers have it.
     template <class Number>
     requires std::is_arithmetic_v<Number> || std::same_as<Number, Recorded<Real>> Operand(
         const Number& number, const char* file = __builtin_FILE(), int line = __builtin_LINE())
@@ -166,7 +167,7 @@ Vec3<Recorded<Real>> input(Tape& tape, const Vec3<double>& v, const std::string&
             Number::input(tape, v.z, name + ".z")};
 }
 
-/// Gives a number that a formula tells of its name.
+/// Names a number that a formula reports.
 template <class Real>
 void name(const Recorded<Real>& number, std::string name) {
     if (number.tape()) number.tape()->name(number.step(), std::move(name));

@@ -50,7 +50,7 @@ constexpr bool is_comparison(Operation operation) { return operation >= Operatio
 /// A step of a tape, counted from its start.
 using StepNumber = std::uint32_t;
 
-/// How finely a scalar can write a number: `digits` bits, and as many for all numbers of 2^min_exponent / 2 and more.
+/// A scalar's precision: `digits` bits, the same for all numbers of size 2^min_exponent / 2 and more.
 struct Precision {
     int digits, min_exponent;
 
@@ -65,18 +65,17 @@ struct Precision {
 struct Step {
     Operation operation = Operation::input;
     StepNumber left = 0, right = 0;
-    long double value = 0;  ///< of whatever scalar: a long double holds them all exactly
-    const char* file = "";  ///< the source that asked for it; none for inputs, their rounding, and constants
+    long double value = 0;  ///< of any scalar: a long double holds them all exactly
+    const char* file = "";  ///< the operation's source file; none for inputs, their rounding, and constants
     int line = 0;
 };
 
-/// All operations of a computation in one scalar, in the order in which they were done, with the names that some were
-/// given.
+/// All operations of a computation in one scalar, in the order of execution, with the names given to some of them.
 class Tape {
 public:
     explicit Tape(Precision precision = Precision::of<double>()) : precision_(precision) {}
 
-    /// That of the scalar.
+    /// The scalar's precision.
     Precision precision() const { return precision_; }
 
     StepNumber append(const Step& step) {
@@ -84,7 +83,7 @@ public:
         return static_cast<StepNumber>(steps_.size() - 1);
     }
 
-    /// A step may have several names: the first is what it was called first.
+    /// Names a step. A step may have several names, in the order given.
     void name(StepNumber step, std::string name) { names_.emplace_back(step, std::move(name)); }
 
     const std::vector<Step>& steps() const { return steps_; }

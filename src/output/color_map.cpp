@@ -9,7 +9,7 @@
 namespace glassbox {
 namespace {
 
-// Both curves were chosen by us so that they stay inside what sRGB can show; a colour cut to it would bend them.
+// Our choice of both curves stays inside sRGB's gamut; a colour clamped to it would bend them.
 
 OkLab sequential_curve(double t) {
     const double chroma = std::min(0.17, 0.085 + 0.5 * (t - 0.3) * (t - 0.3));

@@ -5,15 +5,15 @@
 
 namespace glassbox {
 
-/// Colours in a row, from position 0 to position 1, in steps that look equally large. Lightness alone tells neighbours
-/// apart, so that colour-blind readers, and grey printers, keep what the map says.
+/// A row of colours from position 0 to position 1, in steps that look equally large. Lightness alone tells neighbours
+/// apart, so that the map stays readable for colour-blind readers and on grey printers.
 class ColorMap {
 public:
     static constexpr std::size_t steps = 256;  ///< even: position 0.5 has a colour of its own
 
     explicit ColorMap(const std::array<Rgb, steps + 1>& colors) : colors_(colors) {}
 
-    /// The colour at a position; one outside [0, 1] gets the nearer end's.
+    /// The colour at a position. A position outside [0, 1] gets the colour of the nearer end.
     Rgb operator()(double position) const {
         if (!(position > 0)) return colors_.front();
         if (position >= 1) return colors_.back();
@@ -30,10 +30,10 @@ ColorMap sequential_colors();
 /// From dark blue (0) through near-white (0.5) to dark orange (1): lightness depends on the distance from 0.5 only.
 ColorMap diverging_colors();
 
-/// A component of a direction as a channel: -1 is 0, 1 is 255.
+/// A direction's components as colour channels: -1 becomes 0, 1 becomes 255.
 Rgb direction_color(double x, double y, double z);
 
-/// Where there is no value: nearly black, darker than either map and than any direction.
+/// The colour for no value: nearly black, darker than either map and than any direction.
 inline constexpr Rgb no_value_color{20, 20, 20};
 
 }  // namespace glassbox

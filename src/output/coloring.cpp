@@ -71,7 +71,8 @@ bool is_direction(const Measured& measured) {
 
 namespace {
 
-/// White with black beside it, to be seen on any colour: the values from `level` on that have a lower one next to them.
+/// Draws a contour in white with black beside it, visible on any colour: at the values from `level` on that have a
+/// lower one next to them.
 void draw_contour(Image& image, const Channel& channel, double level) {
     const auto above = [&](int x, int y) {
         return channel.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(channel.width) +

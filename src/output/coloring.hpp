@@ -22,31 +22,31 @@ struct Summary {
 
 Summary summarized(const Channel& channel);
 
-/// The range of a measurement's colours that somebody set.
+/// The range of a measurement's colours, if the user set one.
 using SetRange = std::optional<std::pair<double, double>>;
 
-/// What lies outside a range that was set: two purples that neither map has, and that lightness tells apart.
+/// The colours for values outside a set range: two purples that neither map has, and that lightness tells apart.
 inline constexpr Rgb below_color{96, 0, 110}, above_color{255, 70, 225};
 
 /// Which value gets which colour.
 struct Coloring {
     ColorMap map;
     double low, high;
-    bool blocks;          // whole numbers, few: the bar is a row of blocks, one a number
-    SetRange shown = {};  // what lies outside has a colour of its own; otherwise that of the nearer end
+    bool blocks;          // few whole numbers: the bar is a row of blocks, one per number
+    SetRange shown = {};  // values outside get a colour of their own; otherwise that of the nearer end
 
-    /// Between the ends: 0 to 1; 0.5 if they are the same.
+    /// The value's position between the ends, 0 to 1; 0.5 if they are the same.
     double position(double value) const;
 
-    /// What lies outside this counts as below or above: the range that was set, or the map's.
+    /// Values outside these limits count as below or above: the range that was set, or the map's.
     std::pair<double, double> limits() const { return shown.value_or(std::pair(low, high)); }
 
     Rgb operator()(double value) const;
 };
 
-/// From the fixed range, or from the least to the greatest value; if they have both signs, 0 is in the middle. A range
-/// that was set comes before both; if 0 is in it, it stays in the middle of a map for both signs, and otherwise one
-/// sign's map will do.
+/// Colours the fixed range, or from the least to the greatest value; if they have both signs, 0 is in the middle. A
+/// range that was set takes precedence over both; if 0 is in it, 0 stays in the middle of a map for both signs, and
+/// otherwise the map for one sign is used.
 Coloring coloring_of(const Measurement& what, const Summary& summary, const SetRange& set = {});
 
 /// How many finite values lie outside the limits.
@@ -56,10 +56,10 @@ struct Outside {
 
 Outside outside(const Channel& channel, const Coloring& coloring);
 
-/// Whether it has three components that are shown as red, green and blue.
+/// Whether the measurement has three components that are shown as red, green and blue.
 bool is_direction(const Measured& measured);
 
-/// The channels as colours, a pixel a value, without a legend: what the viewer lays over the picture.
+/// The channels as colours, one pixel per value, without a legend: the viewer's overlay.
 Image colored(const Measured& measured, const SetRange& set = {});
 
 }  // namespace glassbox

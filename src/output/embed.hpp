@@ -1,7 +1,7 @@
 #pragma once
 
-// GLASSBOX_EMBED(name, "path"): the file's bytes as name[], up to name_end: the assembler copies them in, C++ has no
-// #embed yet. At namespace scope, once in a program. Mach-O has other sections, and an underscore before C names.
+// GLASSBOX_EMBED(name, "path"): the file's bytes as name[], up to name_end. The assembler copies them in, since C++ has
+// no #embed yet. Use at namespace scope, once per program. Mach-O has other sections, and an underscore before C names.
 #if defined(__APPLE__)
 #define GLASSBOX_SECTION "__TEXT,__const"
 #define GLASSBOX_SYMBOL(name) "_" #name

@@ -41,7 +41,7 @@ std::vector<std::byte> exr(std::span<const Measured> measured) {
     for (const Channel* channel : channels)
         if (channel->width != width || channel->height != height)
             throw std::invalid_argument("channels of different sizes do not fit in one EXR picture");
-    // By name: readers rely on it.
+    // Sorted by name: readers rely on it.
     std::sort(channels.begin(), channels.end(), [](const Channel* a, const Channel* b) { return a->name < b->name; });
 
     std::vector<EXRChannelInfo> infos;

@@ -7,8 +7,8 @@
 
 namespace glassbox {
 
-/// The bytes of an OpenEXR file: a channel a channel, of its name, in 32-bit floats; NaN where there is no value.
-/// A double beyond float's range becomes infinite. The channels are all of one size. Throws Error if encoding fails.
+/// The bytes of an OpenEXR file: each channel under its own name, in 32-bit floats; NaN where there is no value. A
+/// double beyond float's range becomes infinite. All channels must have the same size. Throws Error if encoding fails.
 std::vector<std::byte> exr(std::span<const Measured> measured);
 
 }  // namespace glassbox

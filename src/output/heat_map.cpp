@@ -23,19 +23,19 @@ Image enlarged(const Image& image, int factor) {
     return large;
 }
 
-/// A measurement's part of the sheet: above, the picture, below.
+/// A measurement's part of the sheet: the title above, the picture, the legend below.
 struct Panel {
     Image title, picture, legend;
 };
 
-/// How large a channel of that size is drawn: small ones in whole multiples, so that a pixel stays a square.
+/// The enlargement of a channel: small ones are drawn in whole multiples, so that a pixel stays a square.
 int enlargement(const Channel& channel) {
     const int longer = std::max({channel.width, channel.height, 1});
     return longer < 200 ? (200 + longer - 1) / longer : 1;
 }
 
-/// Legible from the back row: about a 24th of the picture's side, and larger on a sheet of many, which is shown
-/// smaller.
+/// A text size legible from the back row: about a 24th of the picture's side, and larger on a sheet with many panels,
+/// which is shown smaller.
 int text_size(const Channel& channel, std::size_t panels) {
     const double side = enlargement(channel) * std::sqrt(static_cast<double>(channel.width) * channel.height);
     return std::max(14, static_cast<int>(side / 24 * std::pow(static_cast<double>(panels), 1.0 / 6)));
@@ -67,7 +67,7 @@ Image heat_map(std::span<const Measured> measured) {
     const int gap = margin / 2;  // between the parts of a panel
     const int height = above + gap + middle + gap + below;
 
-    // The number of columns that makes the sheet nearest to a square, and leaves the fewest places empty.
+    // Chooses the number of columns that makes the sheet nearest to a square, and leaves the fewest places empty.
     const int count = static_cast<int>(panels.size());
     const auto sheet = [&](int columns) {
         const int rows = (count + columns - 1) / columns;

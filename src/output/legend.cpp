@@ -16,7 +16,7 @@
 namespace glassbox {
 namespace {
 
-/// A triangle that points down at the bar.
+/// Draws a triangle that points down at the bar.
 void draw_pointer(Image& image, int x, int y, int height) {
     for (int row = 0; row < height; ++row) {
         const int half = (height - 1 - row) * 2 / 3;

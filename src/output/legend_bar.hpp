@@ -7,10 +7,10 @@
 
 namespace glassbox {
 
-// The bar of a legend, whoever draws it: as many columns wide as one likes, the colours of the scale from its low to
-// its high.
+// The bar of a legend: the colours of the scale from its low to its high, in any number of columns. The caller draws
+// it.
 
-/// In which column a value stands; for blocks, in the middle of its own.
+/// The column of a value; for blocks, the middle of its block.
 int place_on_bar(const Coloring& coloring, double value, int width);
 
 /// The colour of a column.
@@ -22,8 +22,8 @@ struct PlacedTick {
     std::string label;
 };
 
-/// The most ticks whose labels keep apart, each under its mark as far as the bar's ends allow. `size` is the text's
-/// height, `text_width` measures a label.
+/// As many ticks as fit without overlapping labels, each label under its mark as far as the bar's ends allow. `size` is
+/// the text's height, `text_width` measures a label.
 std::vector<PlacedTick> placed_ticks(const Coloring& coloring, int width, int size,
                                      const std::function<int(const std::string&)>& text_width);
 

@@ -20,7 +20,7 @@ std::string superscript(int number) {
     return text;
 }
 
-/// The least of 1, 2, 5, 10, 20, … (with powers of ten below 1, too) that is not less than this.
+/// The least of 1, 2, 5, 10, 20, … (with powers of ten below 1, too) that is not less than `least`.
 double nice_step(double least) {
     const double power = std::pow(10, decimal_exponent(least));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -58,7 +58,7 @@ std::vector<Tick> ticks(double low, double high, int most, bool whole) {
     double step = nice_step(range / most);
     if (whole) step = std::max(step, 1.0);
     const double first = std::ceil(low / step), last = std::floor(high / step);
-    // Multiples beyond 2^53 are no longer counted one by one, and a step may underflow to 0.
+    // Beyond 2^53 doubles cannot count multiples one by one, and a step may underflow to 0.
     if (!(std::abs(first) < 0x1p53 && std::abs(last) < 0x1p53)) return {};
 
     const int digits =

@@ -4,8 +4,8 @@
 
 namespace glassbox {
 
-/// A number for a legend, to that many significant digits: "471.2", "−0.05", "1.5×10³⁰⁰", "∞". Whole numbers below a
-/// thousand million keep all their digits.
+/// A number for a legend, with that many significant digits: "471.2", "−0.05", "1.5×10³⁰⁰", "∞". Whole numbers below
+/// 10⁹ keep all their digits.
 std::string legend_number(double value, int digits = 4);
 
 /// How many digits tell numbers in [low, high] apart, and at least 4.
@@ -16,8 +16,8 @@ struct Tick {
     std::string label;
 };
 
-/// At most that many marks from low to high, at whole multiples of 1, 2 or 5 times a power of ten; at whole numbers
-/// only, if so wanted. None where floating point leaves no room for them.
+/// At most `most` marks from low to high, at whole multiples of 1, 2 or 5 times a power of ten; only at whole numbers
+/// if `whole`. None where floating point leaves no room for them.
 std::vector<Tick> ticks(double low, double high, int most, bool whole);
 
 }  // namespace glassbox

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-/// A measurement and what it measured: as many channels as it has components.
+/// A measurement and its results: one channel per component.
 struct Measured {
     const Measurement* what;
     std::span<const Channel> channels;

@@ -9,16 +9,16 @@ struct OkLab {
     double lightness = 0, a = 0, b = 0;
 };
 
-/// Of an sRGB colour.
+/// Converts an sRGB colour.
 OkLab to_oklab(const Rgb& color);
 
-/// The nearest sRGB colour, each channel held between 0 and 255.
+/// The nearest sRGB colour, each channel clamped to 0 … 255.
 Rgb to_rgb(const OkLab& color);
 
 /// The colour of that lightness, chroma (distance from grey) and hue angle in degrees.
 OkLab oklch(double lightness, double chroma, double hue);
 
-/// How different two colours look: 0 equal, about 0.02 just seen apart, 1 black and white.
+/// How different two colours look: 0 for equal ones, about 0.02 for just distinguishable ones, 1 for black and white.
 double difference(const OkLab& p, const OkLab& q);
 
 }  // namespace glassbox

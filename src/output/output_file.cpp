@@ -32,7 +32,7 @@ std::string listed(Extensions names) {
     return text;
 }
 
-/// The one of these that the path has; the first for a device without any.
+/// The path's extension, one of `known`; the first of them for a device without an extension.
 std::string_view extension_of(const fs::path& path, Extensions known) {
     std::string extension = path.extension().string();
     if (extension.empty() && is_device(path)) return known.front();

@@ -6,8 +6,8 @@
 
 namespace glassbox {
 
-/// The bytes of a PNG file, 8 bits a channel; the same for the same picture, always. Throws Error for a picture without
-/// pixels, or of more than 2 GB.
+/// The bytes of a PNG file, 8 bits per channel; always the same for the same picture. Throws Error for a picture
+/// without pixels, or of more than 2 GB.
 std::vector<std::byte> png(const Image& image);
 
 }  // namespace glassbox

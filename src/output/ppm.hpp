@@ -6,7 +6,7 @@
 
 namespace glassbox {
 
-/// The bytes of a PPM file in its binary form, P6: the simplest picture file that there is.
+/// The bytes of a PPM file in its binary form, P6: the simplest picture format.
 std::vector<std::byte> ppm(const Image& image);
 
 }  // namespace glassbox

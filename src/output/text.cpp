@@ -15,7 +15,7 @@ namespace {
 
 struct Font {
     stbtt_fontinfo info{};
-    float scale;     // pixels a font unit
+    float scale;     // pixels per font unit
     float baseline;  // pixels below the line's top
 
     explicit Font(int size) {
@@ -114,7 +114,7 @@ std::vector<std::string> wrapped(std::string_view text, int size, int width) {
             continue;
         }
         end_line();
-        for (; !fits(word) && !word.empty(); end_line()) do {  // at least one character a line, however narrow it is
+        for (; !fits(word) && !word.empty(); end_line()) do {  // at least one character per line, however narrow
                 const std::size_t length = first_character(word).size;
                 line += word.substr(0, length);
                 word.remove_prefix(length);

@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t chunk = std::size_t{1} << 20;  // bytes between two looks at the stop token
+constexpr std::size_t chunk = std::size_t{1} << 20;  // bytes between two checks of the stop token
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// What to do about an error number, for whoever typed the path.
+/// Advice for an error number, for the user who typed the path.
 std::string remedy(const fs::path& path, int number) {
     const std::string folder = folder_of(path).string();
     std::error_code ignored;
@@ -60,7 +60,7 @@ std::string remedy(const fs::path& path, int number) {
                    fmt::format("cannot write: {}; {}", std::system_category().message(number), remedy(path, number)));
 }
 
-/// An open file descriptor, closed at the end of its life.
+/// Owns an open file descriptor and closes it.
 class OpenFile {
 public:
     explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
@@ -72,10 +72,10 @@ public:
 
     int descriptor() const { return descriptor_; }
 
-    /// For writing; a descriptor of -1 and errno if it fails.
+    /// Opens for writing; on failure the descriptor is -1 and errno is set.
     void open(const fs::path& path, int how) { descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | how, 0666); }
 
-    /// 0, or the error number: some file systems report a full disk no sooner.
+    /// Closes the file. Returns 0 or the error number: some file systems report a full disk only here.
     int close() {
         const int result = ::close(descriptor_);
         descriptor_ = -1;
@@ -86,8 +86,8 @@ private:
     int descriptor_;
 };
 
-/// A file that is removed again at the end of its life, unless it was renamed; and as soon as its writer is asked to
-/// stop, so that nothing is left of it even if the program has to be ended then.
+/// Removes its file on destruction unless it was renamed; and as soon as its writer is asked to stop, so that nothing
+/// is left even if the program must then be ended.
 class Temporary {
 public:
     Temporary(fs::path path, const std::stop_token& stop)
@@ -98,7 +98,7 @@ public:
         if (!path_.empty()) ::unlink(path_.c_str());
     }
 
-    /// 0, or the error number.
+    /// Renames the file. Returns 0 or the error number.
     int rename(const fs::path& target) {
         if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
         path_.clear();
@@ -110,7 +110,7 @@ private:
     std::stop_callback<std::function<void()>> at_stop_;
 };
 
-/// A name in that folder that was free until `take` made a file of it; `take` returns whether it could.
+/// Finds a free name in that folder, for which `take` creates a file; `take` returns whether it could.
 fs::path take_free_name(const fs::path& folder, const fs::path& shown,
                         const std::function<bool(const fs::path&)>& take) {
     for (int attempt = 0; attempt < 10000; ++attempt) {
@@ -121,11 +121,11 @@ fs::path take_free_name(const fs::path& folder, const fs::path& shown,
     fail(shown, EEXIST);
 }
 
-/// Where the system shows an open file, whether or not it has another name.
+/// The system's path to an open file, whether or not it has another name.
 std::string shown_by_system(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
 
-/// A file without a name, to be given one when it is whole; the system takes it back whatever ends the program, even
-/// SIGKILL. -1 where the file system knows no such files, or the system no way to name them.
+/// Creates a file without a name, to be named when it is complete; the system removes it however the program ends, even
+/// by SIGKILL. Returns -1 where the file system has no such files, or the system no way to name them.
 int create_nameless([[maybe_unused]] const fs::path& folder) {
 #if defined O_TMPFILE && !defined GLASSBOX_NAMED_TEMPORARIES
     const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
@@ -135,8 +135,8 @@ int create_nameless([[maybe_unused]] const fs::path& folder) {
     return -1;
 }
 
-/// A new file in a folder, not to be seen under its own name before it is whole. Its mode is 0666 less the umask, as
-/// for any new file.
+/// A new file in a folder that gets its own name only when it is complete. Its mode is 0666 less the umask, as for any
+/// new file.
 class Draft {
 public:
     Draft(fs::path folder, const fs::path& shown, const std::stop_token& stop)
@@ -151,11 +151,11 @@ public:
 
     const OpenFile& file() const { return file_; }
 
-    /// Gives the whole file its name.
+    /// Gives the complete file its name.
     void publish(const fs::path& target) {
-        // Synchronised before the rename: after a power cut the name must not stand for an empty file.
+        // Syncs before the rename: after a power cut the name must not refer to an empty file.
         if (::fsync(file_.descriptor()) != 0 && errno != EINVAL && errno != ENOTSUP) fail(shown_, errno);
-        if (!temporary_) link();  // only renaming replaces a file that is there, and only a name can be renamed
+        if (!temporary_) link();  // only a rename replaces an existing file, and only a named file can be renamed
         if (const int number = file_.close()) fail(shown_, number);
         const int number = temporary_->rename(target);
         if (number == 0) return;
@@ -191,7 +191,7 @@ void write_bytes(const OpenFile& file, std::span<const std::byte> bytes, const f
     if (stop.stop_requested()) throw Cancelled{};
 }
 
-/// Pieces are gathered to whole chunks, so that a sink may be fed a line at a time.
+/// Gathers pieces into whole chunks, so that a sink may be fed a line at a time.
 void write_pieces(const OpenFile& file, const std::function<void(const Sink&)>& produce, const fs::path& shown,
                   const std::stop_token& stop) {
     std::vector<std::byte> waiting;
@@ -206,7 +206,7 @@ void write_pieces(const OpenFile& file, const std::function<void(const Sink&)>& 
     write_bytes(file, waiting, shown, stop);
 }
 
-/// The file behind a symbolic link, so that replacing the file leaves the link alone.
+/// The file behind a symbolic link, so that replacing the file keeps the link.
 fs::path behind_links(const fs::path& path) {
     std::error_code failed;
     if (!fs::is_symlink(path, failed)) return path;
@@ -214,8 +214,8 @@ fs::path behind_links(const fs::path& path) {
     return failed ? path : target;
 }
 
-/// A descriptor of one's own for what is not a plain file. One that is open already is taken as it is: opening
-/// /dev/stdout anew would empty the file behind `>>`.
+/// A new descriptor for what is not a plain file. Duplicates one that is already open: opening /dev/stdout anew would
+/// empty the file behind `>>`.
 int open_device(const fs::path& path) {
     const std::string name = path.lexically_normal().string();
     if (name == "/dev/stdout") return ::dup(STDOUT_FILENO);
@@ -262,7 +262,7 @@ void write_whole(const fs::path& path, const std::function<void(const Sink&)>& p
     check_writable(path);
     if (is_device(path)) return write_directly(path, produce, path, stop);
 
-    if (stop.stop_requested()) throw Cancelled{};  // before there is a temporary that nobody would remove
+    if (stop.stop_requested()) throw Cancelled{};  // before a temporary exists that nobody would remove
     const fs::path target = behind_links(path);
     Draft draft(folder_of(target), path, stop);
 

@@ -11,13 +11,13 @@ namespace glassbox {
 
 namespace {
 
-/// What holds in none but a few threads does not hold: `found` keeps the worst.
+/// An assumption that fails in any thread fails: `found` keeps the worst result.
 void add(std::vector<Assumption>& found, const std::vector<Assumption>& elsewhere, const char* where) {
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i].not_in.empty() && !elsewhere[i].not_in.empty()) found[i].not_in = elsewhere[i].not_in + where;
 }
 
-/// One for each thread that pictures are computed in, as far as they come within a while.
+/// One result for each thread that computes pictures, if it starts in time.
 std::vector<std::vector<Assumption>> of_workers() {
     using Clock = std::chrono::steady_clock;
     const int workers = tbb::info::default_concurrency();
@@ -35,7 +35,7 @@ std::vector<std::vector<Assumption>> of_workers() {
             const std::lock_guard lock(mutex);
             if (seen.insert(std::this_thread::get_id()).second) found.push_back(std::move(here));
         }
-        while (!all_seen() && Clock::now() < end) std::this_thread::yield();  // else one thread would take all turns
+        while (!all_seen() && Clock::now() < end) std::this_thread::yield();  // else one thread would run all of them
     });
     return found;
 }

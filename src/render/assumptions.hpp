@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-/// The same in this thread, in those that pictures are computed in, and in a new one: each has its own rounding mode
-/// and its own word on subnormal numbers.
+/// Checks the assumptions in this thread, in the threads that compute pictures, and in a new one: each has its own
+/// rounding mode and its own setting for subnormal numbers.
 std::vector<Assumption> try_assumptions_in_threads();
 
 }  // namespace glassbox

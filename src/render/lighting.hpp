@@ -9,17 +9,17 @@
 
 namespace glassbox {
 
-/// How a scene is lit: the light's L and I, and how surfaces answer it.
+/// A scene's lighting: the light's L and I, and how surfaces reflect it.
 struct Lighting {
     Vec3<double> L;
     double I;
     Shading<double> shading;
 };
 
-/// The lighting in numbers that the scalar can compute with, as they all are unless they are absurd. A factor beyond
-/// its range is its largest number, and not infinite. An exponent leaves nothing of a highlight but its middle, and
-/// makes nothing infinite of a cosine that was rounded to 1 and a few ulps. L, of which only the direction counts, has
-/// a square.
+/// The lighting in numbers that the scalar can compute with; ordinary numbers stay as they are. A factor beyond the
+/// scalar's range becomes its largest number, not infinity. The exponent is limited: the highlight may shrink to its
+/// middle, but a cosine rounded to 1 and a few ulps does not become infinite. L, whose direction alone counts, is
+/// scaled so that its square does not overflow or underflow.
 template <class Real>
 Lighting lighting(const Scene& scene) {
     using Limits = std::numeric_limits<Real>;

@@ -8,8 +8,8 @@
 
 namespace glassbox {
 
-// What the choices of Options are called, wherever they are read, written or offered. The names of the shading models
-// stand in "scene/shading_models.hpp".
+// The names of the choices in Options, wherever they are read, written or offered. The names of the shading models are
+// in "scene/shading_models.hpp".
 
 inline constexpr NameTable<Scalar, 5> scalars{{
     {"certified", Scalar::certified, "double where error bounds prove it, else exact"},
@@ -40,17 +40,17 @@ inline constexpr NameTable<TriangleRule, 3> triangle_rules{{
 std::string_view name_of(Scalar scalar);
 std::string_view name_of(EngineChoice engine);
 std::string_view name_of(const SphereRule& rule);
-/// Without the number of a tolerance.
+/// The rule's name, without a tolerance's number.
 std::string_view name_of(const TriangleRule& rule);
 
-/// What the rule's struct in the core is called: "Stable".
+/// The name of the rule's struct in the core: "Stable".
 std::string_view struct_of(const SphereRule& rule);
 std::string_view struct_of(const TriangleRule& rule);
 
-/// The rule as the command line takes it: with the number of a tolerance, "tolerance:10".
+/// The rule as the command line takes it, with a tolerance's number: "tolerance:10".
 std::string written(const TriangleRule& rule);
 
-/// The number's text in "tolerance:10"; nothing for words that do not begin so.
+/// The number's text in "tolerance:10"; nothing for words that do not begin with "tolerance:".
 std::optional<std::string_view> tolerance_text(std::string_view written);
 
 }  // namespace glassbox

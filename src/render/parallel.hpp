@@ -14,7 +14,7 @@ namespace glassbox {
 
 inline constexpr int tile_side = 32;
 
-/// Calls `work(begin, end)` style loops on the job's threads. More threads than cores are granted, too.
+/// Calls `body` on parts of the range on the job's threads, which may be more than there are cores.
 template <class Range, class Body>
 void run_parallel(const Range& range, const Job& job, const Body& body) {
     const int threads = job.threads > 0 ? job.threads : tbb::info::default_concurrency();
@@ -22,7 +22,7 @@ void run_parallel(const Range& range, const Job& job, const Body& body) {
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(range, body, tbb::simple_partitioner{}); });
 }
 
-/// Throws Cancelled if the job was asked to stop, and may.
+/// Throws Cancelled if the job was asked to stop, but not before job.not_before.
 inline void throw_if_stopped(const Job& job) {
     if (job.stop.stop_requested() && std::chrono::steady_clock::now() >= job.not_before) throw Cancelled{};
 }

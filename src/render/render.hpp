@@ -11,14 +11,15 @@
 
 namespace glassbox {
 
-/// The scene's picture, its border painted over it. The same bytes whatever the number of threads. Throws Cancelled.
+/// Renders the scene's picture, and paints its border over it. Gives the same bytes for any number of threads. Throws
+/// Cancelled.
 Image render(const Scene& scene, const Options& options, const Job& job = {});
 
-/// A border one pixel wide.
+/// Paints a border one pixel wide.
 void paint_border(Image& image, Rgb color);
 
-/// What the formulas computed at each pixel: the channels of each measurement, in the order given. The border is not
-/// painted over them. Throws Cancelled.
+/// Measures what the formulas compute at each pixel: the channels of each measurement, in the order given, without the
+/// border. Throws Cancelled.
 std::vector<std::vector<Channel>> measure(const Scene& scene, const Options& options,
                                           std::span<const Measurement* const> wanted, const Job& job = {});
 

@@ -12,12 +12,12 @@ namespace glassbox {
 using SphereRule = std::variant<Stable, Textbook, Levental2014>;
 using TriangleRule = std::variant<Pluecker, Tolerance, MoellerTrumbore>;
 
-/// Whether a rule is geometry: without rounding it meets a surface where that is, and nowhere else. What the paper's
-/// program has instead is history.
+/// Whether a rule is geometry: without rounding, it meets a surface exactly where the surface is. The other rules are
+/// the paper's program's, kept as history.
 constexpr bool is_geometry(const SphereRule& rule) { return !std::holds_alternative<Levental2014>(rule); }
 constexpr bool is_geometry(const TriangleRule& rule) { return !std::holds_alternative<Tolerance>(rule); }
 
-/// A rule that is chosen at run time, and asked as any other. Loops are then compiled once, and not for each rule.
+/// A rule chosen at run time and called like any other, so that loops are compiled once, not for each rule.
 template <class Rule>
 struct Chosen {
     Rule rule;

@@ -29,7 +29,7 @@ Shot shot(const PlainSearch<Real, Rules...>& search, const Ray<double>& ray) {
     return {.answer = Shot::Answer::hit, .surface = hit->surface, .t = hit->t, .hits = count.hits};
 }
 
-/// By a certified search.
+/// The result by a certified search.
 template <class Search>
 Shot shot(const Search& search, const Ray<double>& ray) {
     CountHits count;

@@ -8,10 +8,10 @@
 
 namespace glassbox {
 
-/// Finds what the rays of all pixels meet first, many at a time, and calls `each(x, y, surface, t)` once for every
-/// pixel, on the job's threads: `surface` is engine::no_surface where none is met, and engine::not_told where the
-/// pixel's ray must be traced by itself; t is right to about five digits of the size of the scene, in views whose
-/// neighbouring rays doubles tell apart, and where it does not grow much within a tile. Throws Cancelled.
+/// Finds the nearest hits of all pixels' rays, many at a time, and calls `each(x, y, surface, t)` once for every pixel,
+/// on the job's threads. `surface` is engine::no_surface where the ray meets none, and engine::not_told where the
+/// pixel's ray must be traced by itself. t is accurate to about five digits of the size of the scene, if doubles can
+/// distinguish neighbouring rays and t does not grow much within a tile. Throws Cancelled.
 template <class Each>
 void trace_tiles(const engine::Engine& engine, const View& view, int width, int height, const Job& job,
                  const Each& each) {

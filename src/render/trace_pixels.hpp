@@ -6,9 +6,8 @@
 
 namespace glassbox {
 
-/// Traces the ray of every pixel on the job's threads, and hands its colour and its probe to `keep(x, y, ray, color,
-/// probe)`. Where nobody listens to the tests, and the engine is used, neighbouring rays are traced together. Throws
-/// Cancelled.
+/// Traces the ray of every pixel on the job's threads, and passes its colour and its probe to `keep(x, y, ray, color,
+/// probe)`. With the engine, and a probe that ignores the tests, traces neighbouring rays together. Throws Cancelled.
 template <class Probe, class Keep>
 void trace_pixels(const Scene& scene, const Options& options, const Job& job, const Keep& keep) {
     const View seen = view(scene, options);
@@ -28,7 +27,7 @@ void trace_pixels(const Scene& scene, const Options& options, const Job& job, co
                                 const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
                                 Probe probe;
                                 if (surface == engine::no_surface) return keep(x, y, ray, tracer.background, probe);
-                                // A sphere's normal is that of the very point; a triangle's is the same everywhere.
+                                // A sphere's normal depends on the exact point; a triangle's is the same everywhere.
                                 const bool is_sphere = surface < tracer.search.engine().spheres().size();
                                 const double its_t = is_sphere ? tracer.search.t_of(ray, surface) : t;
                                 keep(x, y, ray, tracer.color_of(ray, {surface, its_t}, probe), probe);

@@ -9,11 +9,11 @@
 namespace glassbox {
 
 namespace told {
-struct Nearest {};        ///< (surface, t): what the ray meets first
+struct Nearest {};        ///< (surface, t): the nearest hit
 struct SurfaceNormal {};  ///< the unit normal there
 }  // namespace told
 
-/// Colours pixels: a search for what a ray meets, and how that looks.
+/// Computes pixel colours: searches for what a ray meets, and shades it.
 template <class Search>
 struct Tracer {
     using Real = typename Search::Number;
@@ -25,7 +25,7 @@ struct Tracer {
     Shading<Real> shading;
     int stage;
 
-    /// The colour of the pixel in column j and row i, whose ray this is, as far as the stage goes.
+    /// The colour of the pixel in column j and row i, whose ray this is, as the stage computes it.
     template <class Probe>
     Rgb color(const Ray<Real>& ray, int j, int i, Probe& probe) const {
         if (stage == 1) return rounded(ray_color(ray, j, i));

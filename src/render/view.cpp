@@ -25,7 +25,7 @@ View turned_by(const View& view, const Rotation<double>& R, const Vec3<double>& 
     return std::visit([&](const auto& v) -> View { return turned(v, R, pivot); }, view);
 }
 
-/// Neighbours about the same axis added up, whole turns left out. 36 · 10 degrees are 360 exactly; radians would round.
+/// Adds up neighbours about the same axis, without whole turns. 36 · 10 degrees are 360 exactly; radians would round.
 std::vector<Turn<double>> joined(std::span<const Turn<double>> turns) {
     std::vector<Turn<double>> result;
     for (const Turn<double>& turn : turns)

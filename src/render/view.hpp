@@ -11,8 +11,8 @@
 
 namespace glassbox {
 
-/// A pinhole's view whose plane is kept as it is seen from the eye: a ray's direction is a point of it, and loses no
-/// digit to the eye's coordinates.
+/// A pinhole view whose plane is relative to the eye: a ray's direction is a point of the plane, and loses no digit to
+/// the eye's coordinates.
 struct FromEye {
     ViewingPlane<double> plane;
     Vec3<double> eye;
@@ -22,20 +22,21 @@ inline Ray<double> pixel_ray(const FromEye& view, double j, double i) {
     return {view.eye, pixel_ray(Pinhole<double>{view.plane, {}}, j, i).D};
 }
 
-/// The viewing plane of a scene's picture, and where its rays come from.
+/// A scene's viewing plane, and the origin of its rays.
 using View = std::variant<Parallel<double>, FromEye>;
 
-/// The scene's view after the turns, rebuilt from its start: neighbours about the same axis are one turn by the sum of
-/// their angles, so that 36 turns by 10° are none at all.
+/// The scene's view after the turns, rebuilt from the start: neighbours about the same axis become one turn by the sum
+/// of their angles, so that 36 turns by 10° are none at all.
 View rebuilt_view(const Scene& scene, std::span<const Turn<double>> turns);
 
-/// The scene's view after turn upon turn, each rounded: what a program gets that rotates its points at every key.
+/// The scene's view after one turn after another, each rounded, as in a program that rotates its points at every key
+/// press.
 View accumulated_view(const Scene& scene, std::span<const Turn<double>> turns);
 
 /// The turns that the stage knows: none before the fifth.
 std::span<const Turn<double>> turns_of(const Options& options);
 
-/// The scene's view as the options say: all that traces a pixel's ray takes it from here.
+/// The scene's view as the options say. All code that traces pixels' rays uses it.
 View view(const Scene& scene, const Options& options);
 
 /// The ray of the pixel (x, y) of a picture `height` pixels high; y counts down from the top.
@@ -43,8 +44,8 @@ inline Ray<double> pixel_ray(const View& view, int x, int y, int height) {
     return std::visit([&](const auto& v) { return pixel_ray(v, x, height - 1 - y); }, view);
 }
 
-/// The largest starts and directions of all the rays of a picture. Each coordinate of a pixel's ray only rises, or only
-/// falls, from column to column and row to row, rounding included: its extremes are in the corners.
+/// The bounds of all rays of a picture. Each coordinate of a pixel's ray is monotone from column to column and from row
+/// to row, rounding included: its extremes are at the corners.
 inline RayBounds reach(const View& view, int width, int height) {
     RayBounds all;
     for (const int x : {0, width - 1})
@@ -52,8 +53,8 @@ inline RayBounds reach(const View& view, int width, int height) {
     return all;
 }
 
-/// The same scene as a picture of another size. What is seen from bottom to top stays, pixels keep their shape, and
-/// what a wider or narrower picture gains or loses is the same on both sides.
+/// The same scene as a picture of another size. The vertical extent of the view stays, pixels keep their shape, and a
+/// wider or narrower picture gains or loses the same on both sides.
 Scene resized(Scene scene, int width, int height);
 
 }  // namespace glassbox

@@ -9,8 +9,8 @@
 
 namespace glassbox {
 
-/// Why a vector's direction cannot be taken, to follow its name: "is 0 in x, y and z; …"; empty if it can be. Within
-/// the range that is allowed no square of a component over- or underflows.
+/// Why a vector has no usable direction, as a phrase after its name: "is 0 in x, y and z; …"; empty if it has one.
+/// Within the allowed range no square of a component over- or underflows.
 inline std::string why_no_direction(const Vec3<double>& v) {
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return "is not finite";
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

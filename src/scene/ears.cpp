@@ -43,7 +43,7 @@ std::vector<std::array<std::size_t, 3>> cut_ears(std::span<const Point2> outline
         after[a] = c;
         before[c] = a;
     };
-    // A corner is asked again only when a neighbour was cut off: so each cut asks two, and all together 3n are asked.
+    // A corner is tested again only after a neighbour was cut off: each cut adds two tests, so there are 3n in all.
     std::deque<std::size_t> to_ask;
     std::vector<bool> is_left(n, true);
     for (std::size_t k = 0; k < n; ++k) to_ask.push_back(k);

@@ -4,13 +4,13 @@
 
 namespace glassbox {
 
-/// Work that cannot be done: says in one line where, what is wrong, and what would be right.
+/// An error that stops the work. Its message says in one line where, what is wrong, and what would be right.
 /// "scenes/room.toml:12:9: error: radius is -3; it must be greater than 0"
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A place in a text file; line and column count from 1, 0 where it is about the whole file.
+/// A place in a text file. Line and column count from 1; 0 stands for the whole file.
 struct Place {
     std::string file;
     std::size_t line = 0;

@@ -5,11 +5,11 @@
 #include <numeric>
 #include <utility>
 
-// A line sweeps over the outline from left to right. Where it stands, the edges that it meets divide it into gaps, each
-// of one winding number. All corners that a gap of the inside has come upon are joined, in order, to a path. A path
-// runs in the inside, for between two of its corners there is no other; and it divides the inside into monotone
-// mountains (Fournier and Montuno 1984): each stands on an edge, or hangs from one, and its ridge is a piece of a path.
-// A mountain is easily cut into triangles. Edges that lie on each other are one wall, with a mountain on either side.
+// A line sweeps over the outline from left to right. The edges that it meets divide it into gaps, each with one winding
+// number. The corners that an inside gap has reached are joined, in order, to a path. A path runs inside, because there
+// is no other corner between two of its own; it divides the inside into monotone mountains (Fournier and Montuno 1984):
+// each stands on an edge, or hangs from one, and its ridge is a piece of a path. A mountain is easily cut into
+// triangles. Edges that lie on each other form one wall, with a mountain on either side.
 
 namespace glassbox {
 namespace {
@@ -17,32 +17,33 @@ namespace {
 /// An edge of the outline, by its corners from left to right.
 struct Edge {
     std::size_t left, right;
-    int rise;  ///< 1 if the outline goes to the right here, −1 if it goes back: by so much the winding number is more
-               ///< above
+    int rise;  ///< 1 if the outline goes to the right here, −1 if it goes back: the winding number above less that
+               ///< below
 
     friend bool operator==(const Edge&, const Edge&) = default;
 };
 
-/// The inside between a base and a path. The ridge's corners run from left to right, the base's left end first.
+/// The part of the inside between a base and a path. The ridge's corners run from left to right, from the base's left
+/// end on.
 struct Mountain {
     Edge base;
     int winding;
     std::vector<std::size_t> ridge;
 };
 
-/// Edges on one line, where the sweep line meets them.
+/// The edges on one line that meet the sweep line.
 struct Wall {
     std::vector<Edge> edges;
     int winding_above;
-    std::optional<Mountain> above, below;  ///< where that gap belongs to the inside
+    std::optional<Mountain> above, below;  ///< if that gap belongs to the inside
 };
 
-/// Where a wall is: an edge of it that ends last.
+/// A wall's position, given by one of its edges that ends last.
 struct Segment {
     Point2 left, right;
 };
 
-/// Walls from the lowest to the highest, and points between them.
+/// Orders walls, and points between them, from the lowest to the highest.
 struct Below {
     using is_transparent = void;
     bool operator()(const Segment& a, const Point2& p) const { return orientation(a.left, a.right, p) > 0; }
@@ -61,8 +62,8 @@ class Sweep {
 public:
     explicit Sweep(std::span<const Point2> outline) : outline_(outline) {}
 
-    /// Goes on to a place, a corner of which is `corner`, and from which these edges run to the right. False if edges
-    /// are found to cross.
+    /// Moves the sweep line to the place of `corner`, from which the `outgoing` edges run to the right. Returns false
+    /// if it finds edges that cross.
     bool visit(std::size_t corner, std::vector<Edge> outgoing);
 
     std::vector<std::array<std::size_t, 3>> triangles;
@@ -79,7 +80,7 @@ private:
     Walls walls_;
 };
 
-/// The edges through one point in groups, those of the same direction together, from the lowest to the highest.
+/// Groups the edges through one point by direction, from the lowest to the highest.
 std::vector<std::vector<Edge>> Sweep::by_direction(const Point2& from, std::vector<Edge> edges) const {
     const auto below = [&](const Edge& a, const Edge& b) {
         return orientation(from, outline_[a.right], outline_[b.right]) > 0;
@@ -93,14 +94,13 @@ std::vector<std::vector<Edge>> Sweep::by_direction(const Point2& from, std::vect
     return groups;
 }
 
-/// Whether two neighbours of the sweep line, in this order now, change it before one of them ends.
+/// Whether two neighbours on the sweep line, now in this order, swap before one of them ends.
 bool Sweep::cross(const Segment& lower, const Segment& upper) const {
     return lower.right < upper.right ? orientation(upper.left, upper.right, lower.right) > 0
                                      : orientation(lower.left, lower.right, upper.right) < 0;
 }
 
-/// The last corner of a mountain is reached. Whatever juts out of the ridge is cut off, until the ridge lies on the
-/// base.
+/// Completes a mountain at its last corner: cuts off whatever juts out of the ridge, until the ridge lies on the base.
 void Sweep::finish(Mountain mountain, std::size_t corner, bool stands) {
     mountain.ridge.push_back(corner);
     std::vector<std::size_t> left;
@@ -124,14 +124,14 @@ bool Sweep::visit(std::size_t corner, std::vector<Edge> outgoing) {
     const int winding_under = under == walls_.end() ? 0 : under->second.winding_above;
     const int winding_over = first == last ? winding_under : std::prev(last)->second.winding_above;
 
-    // Edges that end elsewhere go on through p.
+    // Edges that end elsewhere continue through p.
     for (auto wall = first; wall != last; ++wall) {
         std::erase_if(wall->second.edges, [&](const Edge& edge) { return outline_[edge.right] == p; });
         outgoing.insert(outgoing.end(), wall->second.edges.begin(), wall->second.edges.end());
     }
     const std::vector<std::vector<Edge>> groups = by_direction(p, std::move(outgoing));
 
-    // A gap whose base goes on through p, with nothing between them, does not come upon it.
+    // A gap whose base continues through p, with nothing between them, does not reach p.
     const auto passes = [&](const std::optional<Mountain>& mountain, const std::vector<Edge>& group) {
         return mountain && std::find(group.begin(), group.end(), mountain->base) != group.end();
     };
@@ -153,7 +153,7 @@ bool Sweep::visit(std::size_t corner, std::vector<Edge> outgoing) {
     int winding = winding_under;
     auto before = under;
     for (const std::vector<Edge>& group : groups) {
-        // Of edges on each other, one that has the inside on that side is the base.
+        // Among edges on each other, the base is one that has the inside on that side.
         const auto mountain = [&](int inside, int rise) -> std::optional<Mountain> {
             if (inside == 0) return {};
             const auto base =

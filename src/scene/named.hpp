@@ -32,7 +32,7 @@ constexpr std::optional<Value> find_named(const NameTable<Value, count>& table, 
     return {};
 }
 
-/// The first name that `is_it` accepts the value of; "" if there is none.
+/// The name of the first value that `is_it` accepts; "" if there is none.
 template <class Value, std::size_t count, class IsIt>
 constexpr std::string_view name_where(const NameTable<Value, count>& table, const IsIt& is_it) {
     for (const Named<Value>& entry : table)

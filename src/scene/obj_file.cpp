@@ -15,19 +15,19 @@
 #include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
 
-// Why not tinyobjloader: it rounds twice (it reads 0.3 as 0.30000000000000004) and its errors have no place. Here
-// every coordinate is the double nearest to what the file says.
+// Why not tinyobjloader: it rounds twice (it reads 0.3 as 0.30000000000000004) and its errors give no place. This
+// reader makes every coordinate the double nearest to the file's number.
 
 namespace glassbox {
 namespace {
 
-/// A part of a text, that knows where it is.
+/// A word of a text, with its offset.
 struct Word {
     std::string_view text;
     std::size_t offset;
 };
 
-/// Walks over a text line by line and word by word. A backslash at the end of a line joins it with the next.
+/// Reads a text line by line and word by word. A backslash at the end of a line joins it with the next.
 class Words {
 public:
     explicit Words(std::string_view text) : text_(text) {}
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// How many characters of blank there are here: a space, a tab, a carriage return, or a joint of two lines.
+    /// How many characters the blank here takes: a space, a tab, a carriage return, or a joint of two lines.
     std::size_t blank() const {
         const char c = text_[at_];
         if (c == ' ' || c == '\t' || c == '\r') return 1;
@@ -69,7 +69,7 @@ struct Source {
     std::string_view text;
 };
 
-/// The error at an offset of the text. Lines are counted only now, when they are needed.
+/// The error at an offset of the text. Counts lines only now, when they are needed.
 Error error_in(const Source& source, std::size_t offset, const std::string& message) {
     const std::string_view before = source.text.substr(0, offset);
     const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
@@ -103,10 +103,10 @@ Vec3<double> vertex(const Source& source, Words& words) {
     return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// A face; fo is what it was called before version 3 of the format.
+/// Whether it is a face; before version 3 of the format its name was fo.
 bool is_face(const Word& keyword) { return keyword.text == "f" || keyword.text == "fo"; }
 
-/// Throws for a statement that brings surfaces which cannot be read here: they must not be missing without a word.
+/// Throws Error for a statement with surfaces that cannot be read here: they must not be dropped silently.
 void refuse_lost(const Source& source, const Word& keyword) {
     constexpr std::array<std::string_view, 6> free_forms{"surf", "bzp", "bsp", "cdc", "cdp", "res"};
     constexpr std::array<std::string_view, 2> from_elsewhere{"call", "csh"};

@@ -3,7 +3,7 @@
 
 namespace glassbox {
 
-/// A point of a plane; in order from left to right, those above each other from below.
+/// A point of a plane. Points are ordered from left to right, then from bottom to top.
 struct Point2 {
     double x, y;
     friend auto operator<=>(const Point2&, const Point2&) = default;

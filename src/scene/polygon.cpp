@@ -19,7 +19,7 @@ using Triangles = std::vector<std::array<std::size_t, 3>>;
 
 double largest_component(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The sum over all edges, so that no single corner decides: twice the polygon's area, along its normal (Newell).
+/// Twice the polygon's area, along its normal (Newell): a sum over all edges, so that no single corner decides.
 template <class Real>
 Vec3<Real> newell(std::span<const Vec3<double>> polygon) {
     const auto seen = [from = convert<Real>(polygon.front())](const Vec3<double>& corner) {
@@ -57,7 +57,7 @@ Axis thinnest_axis(std::span<const Vec3<double>> polygon) {
     return {size.y <= size.x ? 1 : 0, false};
 }
 
-/// The axis that the polygon's normal is nearest to. From there it is not seen edge-on, if it has an area at all.
+/// The axis nearest to the polygon's normal. Along it, a polygon with any area is not seen edge-on.
 Axis axis_of(std::span<const Vec3<double>> polygon) {
     const auto n = newell<double>(polygon);
     double size = 0;
@@ -72,7 +72,7 @@ Axis axis_of(std::span<const Vec3<double>> polygon) {
     return has_area ? nearest_axis(exact) : thinnest_axis(polygon);
 }
 
-/// The polygon laid flat: seen along that axis, from the side from which it runs counter-clockwise. No number changes.
+/// Projects the polygon along that axis, as seen from the side on which it runs counter-clockwise. No number changes.
 std::vector<Point2> flattened(std::span<const Vec3<double>> polygon) {
     const auto [axis, negative] = axis_of(polygon);
     std::vector<Point2> flat;
@@ -86,7 +86,8 @@ std::vector<Point2> flattened(std::span<const Vec3<double>> polygon) {
     return flat;
 }
 
-/// Turns left at each corner, and goes around once: then one corner alone has both its neighbours on its right.
+/// Whether the outline turns left at each corner and goes around once: then only one corner has both its neighbours on
+/// its right.
 bool is_convex(std::span<const Point2> outline) {
     const std::size_t n = outline.size();
     std::size_t leftmost = 0;

@@ -6,15 +6,15 @@ namespace glassbox {
 
 namespace {
 
-/// The control characters C0, delete and C1; U+009B, for one, begins a command as escape and [ do.
+/// Whether it is a control character: C0, delete or C1. U+009B, for one, begins a command, as escape and [ do.
 bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
-/// Unicode's Bidi_Control: what follows may be shown in another order than it is read in.
+/// Whether it is one of Unicode's Bidi_Control: the text after it may be shown in another order than it is read.
 bool turns_direction(char32_t c) {
     return c == 0x61C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
 }
 
-/// Unicode's own line ends.
+/// Whether it is one of Unicode's own line ends.
 bool ends_line(char32_t c) { return c == 0x2028 || c == 0x2029; }
 
 std::string printable_but_for(std::string_view text, std::string_view kept) {

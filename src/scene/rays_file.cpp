@@ -32,7 +32,7 @@ std::string_view without_return(std::string_view line) {
     return line;
 }
 
-/// One number: decimal, the fast way; or else as strtod reads it, hexadecimal ("0x1.8p3"), say.
+/// Reads one number: decimal the fast way, others as strtod does, hexadecimal ("0x1.8p3") for one.
 double read_number(std::string_view field, const Place& place) {
     const std::string_view digits = trimmed(field);
     double value = 0;
@@ -56,7 +56,7 @@ Ray<double> read_ray(std::string_view line, Place place) {
     std::size_t count = 0;
     for (std::size_t begin = 0; begin <= line.size(); ++count) {
         const std::size_t end = std::min(line.find(',', begin), line.size());
-        if (count <= numbers.size()) place.column = begin + 1;  // of the first that is too many, if there are such
+        if (count <= numbers.size()) place.column = begin + 1;  // of the first field too many, if there are any
         if (count < numbers.size()) numbers[count] = read_number(line.substr(begin, end - begin), place);
         begin = end + 1;
     }
@@ -66,7 +66,7 @@ Ray<double> read_ray(std::string_view line, Place place) {
     return {{ox, oy, oz}, {dx, dy, dz}};
 }
 
-/// Whether these are the header's names; spaces around them do not count, as around numbers.
+/// Whether the line is the header; spaces around names do not count, as around numbers.
 bool is_header(std::string_view line) {
     std::string names(line);
     names.erase(std::remove(names.begin(), names.end(), ' '), names.end());

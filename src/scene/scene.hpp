@@ -23,7 +23,7 @@ struct ParallelView {
     Vec3<double> direction{-1, 0, 0};
 };
 
-/// Rays that start in the eye.
+/// Rays that start at the eye.
 struct PinholeView {
     Vec3<double> eye;
     Vec3<double> look_at;
@@ -49,8 +49,8 @@ struct Mesh {
     Rgb color;
 };
 
-/// All that a scene file says. Its surfaces are numbered spheres first, then triangles, then mesh faces, each in file
-/// order. Colours count from 0 to 255.
+/// The content of a scene file. Surfaces are numbered: spheres first, then triangles, then mesh faces, each in file
+/// order. Colours range from 0 to 255.
 struct Scene {
     std::string title;
 
@@ -60,7 +60,7 @@ struct Scene {
     std::optional<Rgb> border;  ///< one pixel wide, painted over the picture
 
     std::variant<ParallelView, PinholeView> view;
-    Vec3<double> pivot;  ///< what turns of the view are about
+    Vec3<double> pivot;  ///< the point about which the view turns
 
     Vec3<double> light_vector{1000, 250, 250};  ///< only its direction from the world's origin counts
     double light_intensity = 1;
@@ -72,7 +72,7 @@ struct Scene {
     std::vector<Shared<Mesh>> meshes;
 };
 
-/// The largest picture that can be asked for: pixels on a side, and pixels in all.
+/// The largest picture allowed: pixels on a side, and pixels in all.
 inline constexpr int max_side = 32768;
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 

@@ -57,7 +57,7 @@ PinholeView pinhole_view(const Section& view) {
     if (!(read.field_of_view > 0 && read.field_of_view < 180))
         throw wrong(*view.find("field_of_view"),
                     fmt::format("is {} degrees; it must be between 0 and 180, both excluded", read.field_of_view));
-    constexpr double least = 1e-8;  // of 32768 rows the directions then still differ by 20 units in the last place
+    constexpr double least = 1e-8;  // with 32768 rows, directions still differ by 20 units in the last place
     if (read.field_of_view < least)
         throw wrong(
             *view.find("field_of_view"),

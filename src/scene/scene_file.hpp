@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-/// The scene that a TOML file describes (docs/scene-format.md), its meshes loaded. Throws
-/// Error with file, line and column for anything that is not as it should be.
+/// Reads the scene of a TOML file (docs/scene-format.md) and loads its meshes. Throws Error with file, line and column
+/// for anything that is not as it should be.
 Scene read_scene(const std::filesystem::path& file);
 
 }  // namespace glassbox

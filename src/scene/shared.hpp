@@ -4,7 +4,7 @@
 
 namespace glassbox {
 
-/// A large value that nobody changes: its copies share it.
+/// A large immutable value: its copies share it.
 template <class T>
 class Shared {
 public:

@@ -28,7 +28,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string suggestion(std::string_view unknown, std::span<const std::string_view> known) {
-    constexpr std::size_t longest = 100;  // nothing that long is a slip of the pen
+    constexpr std::size_t longest = 100;  // longer names are no typing mistakes
     if (unknown.size() < longest) {
         const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
             return edit_distance(unknown, a) < edit_distance(unknown, b);

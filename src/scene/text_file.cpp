@@ -29,7 +29,7 @@ std::string read_text(const std::filesystem::path& file) {
     if (const auto reason = why_unreadable(file)) throw error_at(place, *reason);
     std::ifstream in(file, std::ios::binary);
     std::string text;
-    // In pieces, each looked at before the next: a device that never ends is refused, too.
+    // Checks each piece before it reads the next, and so refuses an endless device, too.
     std::array<char, 1 << 16> piece;
     while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
         const auto end = piece.begin() + in.gcount();

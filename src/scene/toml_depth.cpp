@@ -7,14 +7,14 @@
 namespace glassbox {
 namespace {
 
-/// Where the string that begins at `start`, with one quote or with three, ends: behind its last quote.
+/// The end of the string that begins at `start` with one quote or three: the offset after its last quote.
 std::size_t end_of_string(std::string_view toml, std::size_t start) {
     const char quote = toml[start];
     const bool is_long = toml.substr(start).starts_with(std::string(3, quote));
     const std::string end(is_long ? 3 : 1, quote);
     for (std::size_t at = start + end.size(); at < toml.size(); ++at) {
         if (quote == '"' && toml[at] == '\\') ++at;
-        else if (!is_long && toml[at] == '\n') return at;  // not closed: what follows is read as if it were
+        else if (!is_long && toml[at] == '\n') return at;  // not closed: reads on as if it were
         else if (toml.substr(at).starts_with(end)) return at + end.size();
     }
     return toml.size();
@@ -23,9 +23,9 @@ std::size_t end_of_string(std::string_view toml, std::size_t start) {
 }  // namespace
 
 std::optional<std::size_t> first_too_deep(std::string_view toml) {
-    std::vector<std::size_t> outside;  // the levels outside of each bracket that is open
-    std::size_t levels = 0;            // those that we are in: the section's, and the brackets'
-    std::size_t dots = 0;              // in the key that is being read, or in the value, where they are no levels
+    std::vector<std::size_t> outside;  // for each open bracket, the levels outside it
+    std::size_t levels = 0;            // the current ones: the section's, and the brackets'
+    std::size_t dots = 0;              // in the current key, or in the value, where they add no levels
     std::size_t of_key = 0;            // the levels that the key before this value adds
     bool in_header = false, at_line_start = true;
     for (std::size_t at = 0; at < toml.size();) {

@@ -37,7 +37,7 @@ std::string_view kind(const toml::node& node) {
     }
 }
 
-/// A number as the file has it, nearly: 500.0 is not 500.
+/// A number nearly as the file writes it: 500.0 is not 500.
 std::string shown(const Value& value) {
     if (value.node->is_integer()) return fmt::format("{}", value.node->as_integer()->get());
     return fmt::format("{:#}", value.node->as_floating_point()->get());
@@ -49,7 +49,7 @@ std::string_view line_of(std::string_view text, std::size_t number) {
     return text.substr(0, text.find('\n'));
 }
 
-/// The bytes of the first `columns` characters of a line in UTF-8.
+/// How many bytes the first `columns` characters of a UTF-8 line take.
 std::size_t bytes_of(std::string_view line, std::size_t columns) {
     std::size_t bytes = 0;
     const auto continues = [&] {
@@ -61,8 +61,8 @@ std::size_t bytes_of(std::string_view line, std::size_t columns) {
     return bytes;
 }
 
-/// What toml++ says of a number that it cannot hold, in our words, at the number; nothing if it is about something
-/// else. `line` is the one that it stands in.
+/// Rewords toml++'s error about a number that it cannot hold, and places it at the number; nothing if the error is
+/// about something else. `line` is the line of the number.
 std::optional<Error> number_error(const Place& stopped, std::string_view line, std::string_view description) {
     const auto says = [&](std::string_view words) { return description.find(words) != std::string_view::npos; };
     const bool is_whole = says("is not representable in 64 bits");
@@ -71,7 +71,7 @@ std::optional<Error> number_error(const Place& stopped, std::string_view line, s
         if (!says("numeric value too long") && !says("exceeds length limit")) return {};
         return error_at(stopped, "this number has too many digits; a double has 17: write it shorter, like 1.25e-30");
     }
-    // The parser has stopped behind it.
+    // The parser stopped after the number.
     const std::string_view before = line.substr(0, bytes_of(line, stopped.column - 1));
     const std::size_t start = before.find_last_not_of("0123456789abcdefABCDEFxo_.+-") + 1;
     const std::string_view digits = before.substr(start);
@@ -245,7 +245,7 @@ std::vector<Section> Section::sections(std::string_view key) const {
 }
 
 void Section::expect_keys(const std::vector<std::string_view>& known) const {
-    // The table is sorted by name; of several unknown keys, the first in the file is the one to tell of.
+    // The table is sorted by name; of several unknown keys, reports the first in the file.
     const auto is_known = [&](const toml::key& key) {
         return std::find(known.begin(), known.end(), key.str()) != known.end();
     };

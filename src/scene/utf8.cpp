@@ -17,7 +17,7 @@ Utf8Character first_character(std::string_view text) {
         if ((byte(k) & 0xC0u) != 0x80u) return {};
         code = code << 6 | (byte(k) & 0x3Fu);
     }
-    // Longer than need be, a surrogate, or beyond Unicode's end.
+    // Overlong, a surrogate, or beyond Unicode's end.
     if ((size == 3 && code < 0x800) || (size == 4 && code < 0x10000)) return {};
     if ((code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return {};
     return {code, size};

@@ -5,13 +5,13 @@
 
 namespace glassbox {
 
-/// A character of UTF-8 text and how many bytes it takes; no code, and one byte, for a byte that begins none.
+/// A character of UTF-8 text and how many bytes it takes; no code, and one byte, for a byte that begins no character.
 struct Utf8Character {
     std::optional<char32_t> code;
     std::size_t size = 1;
 };
 
-/// The first character of a text that is not empty, as RFC 3629 says what well-formed UTF-8 is.
+/// The first character of a text that is not empty. RFC 3629 defines well-formed UTF-8.
 Utf8Character first_character(std::string_view text);
 
 }  // namespace glassbox

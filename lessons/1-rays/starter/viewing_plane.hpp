@@ -6,12 +6,12 @@
 
 namespace glassbox {
 
-/// The plane that the picture is on. Column j counts to the right, row i upwards, both from the bottom-left pixel's 0.
+/// The plane of the picture's pixels. Column j counts to the right, row i upwards; the bottom-left pixel is (0, 0).
 template <class Real>
 struct ViewingPlane {
     Vec3<Real> corner;  ///< the point of pixel (0, 0)
-    Vec3<Real> right;   ///< from a pixel to the next on its right
-    Vec3<Real> up;      ///< from a pixel to the next above
+    Vec3<Real> right;   ///< from a pixel to its right neighbour
+    Vec3<Real> up;      ///< from a pixel to the one above
 };
 
 /// The point of pixel column j and row i.
@@ -21,14 +21,14 @@ Vec3<Real> point(const ViewingPlane<Real>& plane, const std::type_identity_t<Rea
     return not_written<Vec3<Real>>("point");
 }
 
-/// Rays that start on the plane and all run one way (the paper's view).
+/// Parallel rays that start on the plane (the paper's view).
 template <class Real>
 struct Parallel {
     ViewingPlane<Real> plane;
     Vec3<Real> direction;
 };
 
-/// Rays that start in the eye and run through the plane.
+/// Rays that start at the eye and pass through the plane.
 template <class Real>
 struct Pinhole {
     ViewingPlane<Real> plane;
@@ -42,15 +42,15 @@ Ray<Real> pixel_ray(const Parallel<Real>& view, const std::type_identity_t<Real>
     return not_written<Ray<Real>>("pixel_ray of a parallel view");
 }
 
-/// The ray of pixel column j and row i; t = 1 is where it crosses the plane.
+/// The ray of pixel column j and row i; it crosses the plane at t = 1.
 template <class Real>
 Ray<Real> pixel_ray(const Pinhole<Real>& view, const std::type_identity_t<Real>& j,
                     const std::type_identity_t<Real>& i) {
     return not_written<Ray<Real>>("pixel_ray of a pinhole view");
 }
 
-/// A pinhole view whose plane lies at distance 1 before the eye and is seen under `field_of_view` (vertical, degrees,
-/// between 0 and 180). Each ray passes through its pixel's middle. `look_at - eye` and `up` must not be parallel.
+/// A pinhole view whose plane lies at distance 1 in front of the eye. `field_of_view` is vertical, in degrees, between
+/// 0 and 180. Each ray passes through the centre of its pixel. `look_at - eye` and `up` must not be parallel.
 template <class Real>
 Pinhole<Real> looking(const Vec3<Real>& eye, const Vec3<Real>& look_at, const Vec3<Real>& up,
                       const std::type_identity_t<Real>& field_of_view, int width, int height) {

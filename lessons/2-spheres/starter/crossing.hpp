@@ -12,7 +12,7 @@ struct Tested {};  ///< one surface is tested against the ray
 struct Met {};     ///< (surface, t): the ray meets it, ahead of its start
 }  // namespace told
 
-/// What a surface answers a ray: whether the ray meets it ahead of its start, and at which t > 0.
+/// The result of testing a ray against a surface: whether the ray meets it ahead of its start, and at which t > 0.
 template <class Real>
 struct Crossing {
     Truth<Real> met{false};

@@ -26,15 +26,16 @@ constexpr Sphere<To> convert(const Sphere<From>& sphere) {
     return {convert<To>(sphere.c), static_cast<To>(sphere.r)};
 }
 
-/// Where a line enters and leaves a sphere: t₀ ≤ t₁, if it touches it at all.
+/// Where a line enters and leaves a sphere: t₀ ≤ t₁, if the line meets it.
 template <class Real>
 struct Roots {
     Truth<Real> real{false};
     Real t0{}, t1{};
 };
 
-/// The roots as school teaches them, t = (−v·D ± √((v·D)² − D²(v² − r²))) / D², v = P − c. The paper's formula (its
-/// section 1.1.1, for |D| = 1). Loses the sphere when it is small and far away: v² and r² differ too much in size.
+/// The roots by the textbook formula, t = (−v·D ± √((v·D)² − D²(v² − r²))) / D² with v = P − c. It is the paper's
+/// formula (its section 1.1.1, for |D| = 1). It loses a sphere that is small and far away: v² and r² differ too much in
+/// size.
 struct Textbook {
     constexpr bool operator==(const Textbook&) const = default;
 
@@ -46,8 +47,8 @@ struct Textbook {
 };
 
 /// The same roots without the cancellation, after Haines et al., "Precision Improvements for Ray/Sphere Intersection",
-/// Ray Tracing Gems (2019), chapter 7: l is the vector from the line to the centre, so r² − l² compares two lengths at
-/// the sphere, wherever the ray starts; and q adds two numbers of one sign.
+/// Ray Tracing Gems (2019), chapter 7: l is the vector from the centre to the line, so r² − l² compares two lengths at
+/// the sphere, wherever the ray starts; and q adds two numbers of the same sign.
 struct Stable {
     constexpr bool operator==(const Stable&) const = default;
 
@@ -58,8 +59,8 @@ struct Stable {
     }
 };
 
-/// Where the ray first meets the sphere: at the smaller root, or from inside, where that lies behind, at the larger. A
-/// tangent ray meets it. `roots` is Textbook or Stable.
+/// Where the ray first meets the sphere: at the smaller root, or at the larger if the smaller lies behind the ray's
+/// start, as it does from inside. A tangent ray meets the sphere. `roots` is Textbook or Stable.
 template <class Real, class RootsRule, class Probe>
 constexpr Crossing<Real> intersect(const Ray<Real>& ray, const Sphere<Real>& sphere, const RootsRule& roots,
                                    Probe& probe) {
@@ -67,7 +68,7 @@ constexpr Crossing<Real> intersect(const Ray<Real>& ray, const Sphere<Real>& sph
     return not_written<Crossing<Real>>("intersect");
 }
 
-/// The unit normal at a point of the sphere, outwards: (point − c) / |point − c|.
+/// The outward unit normal at a point of the sphere: (point − c) / |point − c|.
 template <class Real>
 Vec3<Real> normal(const Sphere<Real>& sphere, const Vec3<Real>& point) {
     return not_written<Vec3<Real>>("normal");

@@ -10,7 +10,7 @@ namespace glassbox {
 
 namespace told {
 struct Corners {};  ///< (A, B, C, D): the triangle as seen from the ray's start, and the ray's direction
-struct Sides {};    ///< (a, b, c): the three side products, each named for the vertex opposite to its edge
+struct Sides {};    ///< (a, b, c): the three side products, each named after the vertex opposite its edge
 struct Deficit {};  ///< (a+b+c, | |a+b+c| − (|a|+|b|+|c|) |): the sum of the sides, and how far their signs disagree
 }  // namespace told
 
@@ -39,7 +39,7 @@ constexpr Triangle<Real> seen_from(const Vec3<Real>& P, const Triangle<Real>& tr
 }
 
 /// The side products of a ray from the origin along D with the edges BC, CA and AB. Each is the weight of the vertex
-/// opposite to its edge: it is 0 on that edge, and the other two are 0 in that vertex.
+/// opposite its edge: it is 0 on that edge, and the other two are 0 at that vertex.
 template <class Real>
 struct Sides {
     Real a, b, c;
@@ -58,7 +58,7 @@ constexpr Real plane_t(const Vec3<Real>& D, const Triangle<Real>& triangle, cons
 }
 
 /// The paper's test (its section 1.1.2): all three side products ≥ 0 or all ≤ 0, and not all 0. Edges and vertices
-/// belong to the triangle; one seen edge-on, or without area, has three zeros and is never hit.
+/// belong to the triangle. A triangle seen edge-on, or without area, has three zeros and is never hit.
 struct Pluecker {
     constexpr bool operator==(const Pluecker&) const = default;
 
@@ -68,9 +68,9 @@ struct Pluecker {
     }
 };
 
-/// What the paper's program does instead: accept where | |a+b+c| − (|a|+|b|+|c|) | is under an absolute number. That
-/// difference is twice the smaller of the positive and the negative part of the sum, in units of length² |D|: for a
-/// small triangle nearly everything passes, for a large one rounding alone fails good hits.
+/// What the paper's program does instead: it accepts where | |a+b+c| − (|a|+|b|+|c|) | is below an absolute tolerance.
+/// That difference is twice the smaller of the positive and the negative part of the sum, in units of length² |D|: a
+/// small triangle accepts nearly every ray, and a large one rejects true hits because of rounding alone.
 struct Tolerance {
     double tolerance = 10.0;
 
@@ -96,7 +96,7 @@ struct Tolerance {
 };
 
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), without culling: solves
-/// P + tD = A + u(B − A) + v(C − A) by Cramer's rule. Two triangles at one edge do not see opposite numbers here.
+/// P + tD = A + u(B − A) + v(C − A) by Cramer's rule. Two triangles that share an edge do not compute opposite numbers.
 struct MoellerTrumbore {
     constexpr bool operator==(const MoellerTrumbore&) const = default;
 

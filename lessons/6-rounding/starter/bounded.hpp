@@ -9,13 +9,13 @@
 
 namespace glassbox {
 
-/// A double and how far it can be from the number that it stands for: |true − value| ≤ error, guaranteed through every
-/// operation, underflow and overflow included. An infinite error, or not a number, says that nothing is known.
+/// A double with a bound on its error: |true − value| ≤ error, guaranteed through every operation, underflow and
+/// overflow included. An error that is infinite or NaN says that nothing is known.
 ///
-/// Each operation adds the operands' errors, carried through to first and second order, and its own rounding: at most
-/// u|value|, u = 2⁻⁵³, and where the result underflows at most 2⁻¹⁰⁷⁵, for which 2⁻¹⁰²¹ is added (a normal number:
-/// adding subnormal ones is slow). The bound is itself computed in doubles; `up` makes good for its few roundings. See
-/// Higham, Accuracy and Stability of Numerical Algorithms (2002), chapters 2 and 3.
+/// Each operation adds the operands' errors, propagated to first and second order, and its own rounding error: at most
+/// u|value|, u = 2⁻⁵³, and at most 2⁻¹⁰⁷⁵ where the result underflows, for which it adds 2⁻¹⁰²¹ (a normal number:
+/// adding subnormal ones is slow). The bound is itself computed in doubles; `up` covers its few roundings. See Higham,
+/// Accuracy and Stability of Numerical Algorithms (2002), chapters 2 and 3.
 struct Bounded {
     double value = 0;
     double error = 0;
@@ -26,7 +26,7 @@ struct Bounded {
 
     static constexpr double u = 0x1p-53;
     static constexpr double underflow = 0x1p-1021;
-    /// A sum of a few non-negative terms, rounded upwards for sure.
+    /// Turns the computed sum of a few non-negative terms into an upper bound.
     static constexpr double up(double sum) { return sum * (1 + 0x1p-49); }
 
     friend constexpr Bounded operator-(Bounded a) { return {-a.value, a.error}; }
@@ -53,8 +53,7 @@ struct Bounded {
         return {v, up(a.error / least + up(std::abs(v) + underflow) * (b.error / least) + u * std::abs(v)) + underflow};
     }
 
-    /// For the part of the interval that has a root; below it the true number cannot lie, or the root was not asked
-    /// for.
+    /// Covers the part of the interval that has a root. A true number below it has none, and no caller uses one.
     friend Bounded sqrt(Bounded a) {
         if (!(a.value > 0)) return {0, up(std::sqrt(up(std::abs(a.value) + a.error))) + underflow};
         const double v = std::sqrt(a.value);
@@ -78,7 +77,7 @@ struct Bounded {
     }
     friend Kleene operator==(Bounded a, Bounded b) { return !(a != b); }
 
-    /// Not lost to overflow or a division by what may be 0.
+    /// False after an overflow, or a division by a number that may be 0.
     friend constexpr bool is_known(Bounded a) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         return a.error < infinity && a.value < infinity && a.value > -infinity;

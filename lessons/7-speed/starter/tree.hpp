@@ -12,35 +12,35 @@
 
 namespace glassbox::engine {
 
-// A hierarchy of boxes as lesson 7 has it: two halves to a branch, one thread, no vectors. What renders is its quick
-// cousin, Hierarchy, with eight children to a node. They are held against each other by a test.
+// The bounding volume hierarchy of lesson 7: two halves per branch, one thread, no vector instructions. The renderer
+// uses the faster Hierarchy, with eight children per node. A test compares the two.
 
-/// A box, and what lies in it: surfaces, or two branches that together hold the same.
+/// A box, and its content: surfaces, or two branches that together hold them.
 struct Branch {
     Box box;
-    std::uint32_t first = 0;  ///< of its surfaces, in Tree::surfaces; or its first half, and the other one follows
-    std::uint32_t count = 0;  ///< of surfaces; 0 where there are two halves instead
+    std::uint32_t first = 0;  ///< its first surface, in Tree::surfaces; or its first half, which the other half follows
+    std::uint32_t count = 0;  ///< number of its surfaces; 0 if it has two halves instead
 };
 
-/// Branch 0 holds all. There is none where there are no surfaces.
+/// Branch 0 is the root. A tree without surfaces has no branches.
 struct Tree {
     std::vector<Branch> branches;
-    std::vector<std::uint32_t> surfaces;  ///< leaf by leaf
+    std::vector<std::uint32_t> surfaces;  ///< in the order of the leaves
 };
 
-/// No branch has more above it.
+/// No branch has more branches above it.
 inline constexpr int most_levels_of_a_tree = 64;
 
-/// How many boxes go to the left, and what it costs: the expected number of tests, times half the area of the box
-/// around all.
+/// How many boxes go to the left, and the cost: the expected number of tests, times half the area of the box around
+/// all.
 struct Cut {
     std::size_t left = 0;
     float cost = std::numeric_limits<float>::infinity();
 };
 
-/// Where to cut boxes that stand in order along an axis, two or more, so that the surface area heuristic is least: half
-/// the area of the box around the left ones, times their number, plus the same of the right ones. Of equal cuts the
-/// first. (MacDonald and Booth, "Heuristics for Ray Tracing Using Space Subdivision", 1990.)
+/// Where to cut two or more boxes, in order along an axis, to minimize the surface area heuristic: half the area of the
+/// box around the left ones times their number, plus the same of the right ones. Returns the first of equal cuts.
+/// (MacDonald and Booth, "Heuristics for Ray Tracing Using Space Subdivision", 1990.)
 inline Cut best_cut(std::span<const Box> boxes) {
     // Your turn: first the costs of all right parts, from the right; then try each cut, from the left
     return not_written<Cut>("best_cut");
@@ -48,12 +48,12 @@ inline Cut best_cut(std::span<const Box> boxes) {
 
 namespace growing {
 
-/// Surfaces in the order of their boxes' middles along an axis.
+/// Sorts surfaces by the centres of their boxes along an axis.
 inline void sort(std::span<std::uint32_t> surfaces, std::span<const Box> box_of, int axis) {
     std::ranges::sort(surfaces, {}, [&](std::uint32_t s) { return std::pair(box_of[s].middle2(axis), s); });
 }
 
-/// Makes a branch of surfaces [first, first + count) of the tree, and all below it. `few` have no more than four.
+/// Builds the branch of the tree's surfaces [first, first + count), and all branches below it.
 inline void grow(Tree& tree, std::span<const Box> box_of, std::size_t branch, std::size_t first, std::size_t count,
                  int level) {
     const auto surfaces = std::span(tree.surfaces).subspan(first, count);
@@ -73,11 +73,11 @@ inline void grow(Tree& tree, std::span<const Box> box_of, std::size_t branch, st
         best = cut;
         best_axis = axis;
     }
-    // To test two boxes takes about as long as to test one surface: that must be worth it.
+    // Testing two boxes takes about as long as testing one surface: a cut must save more than that.
     const float as_leaf = all.box.half_area() * static_cast<float>(count);
     if (count <= 4 && !(best.cost + all.box.half_area() < as_leaf)) return;
     sort(surfaces, box_of, best_axis);
-    // Where no cut is good, or so deep down that none has helped, in the middle.
+    // Cuts in the middle where no cut is good, or so deep down that none has helped.
     const bool is_cut = best.left > 0 && best.left < count && level < most_levels_of_a_tree / 2;
     const std::size_t left = is_cut ? best.left : count / 2;
 
@@ -91,7 +91,7 @@ inline void grow(Tree& tree, std::span<const Box> box_of, std::size_t branch, st
 
 }  // namespace growing
 
-/// The tree over the surfaces 0, 1, 2, … that lie in these boxes; at most 2³² of them.
+/// Builds the tree over the surfaces 0, 1, 2, … with these boxes; at most 2³² of them.
 inline Tree tree_over(std::span<const Box> boxes) {
     Tree tree;
     if (boxes.empty()) return tree;

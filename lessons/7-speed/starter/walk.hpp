@@ -19,8 +19,8 @@ struct BoxTested {};  ///< a ray is tested against one box
 
 namespace engine {
 
-/// `nearest` of lesson 2, for surfaces that are tested in any order: at equal t the surface with the larger number
-/// wins, whichever was tested first.
+/// Lesson 2's `nearest`, for surfaces tested in any order: at equal t the surface with the larger number wins,
+/// whichever was tested first.
 template <class Real>
 constexpr std::optional<Hit<Real>> nearer(const std::optional<Hit<Real>>& best, std::size_t surface,
                                           const Crossing<Real>& crossing) {
@@ -28,22 +28,22 @@ constexpr std::optional<Hit<Real>> nearer(const std::optional<Hit<Real>>& best, 
     return not_written<std::optional<Hit<Real>>>("nearer");
 }
 
-/// Can there be nothing nearer than the best hit in a box that the ray enters there? The hit's t and the entry are
-/// rounded: only what is farther by more than that is out.
+/// Whether a box that the ray enters at `enters` cannot hold anything nearer than the best hit. The hit's t and the
+/// entry are rounded: only a box that is farther by more than the rounding is skipped.
 template <class Real>
 constexpr bool is_beyond(Real enters, const std::optional<Hit<Real>>& best) {
     // Your turn: is there a hit, and does the box begin farther off, by more than rounding?
     return not_written<bool>("is_beyond");
 }
 
-/// A branch to be looked into later, and when the ray is in its box.
+/// A branch to be visited later, and the t at which the ray is in its box.
 template <class Real>
 struct Waiting {
     std::uint32_t branch;
     Interval<Real> passage;
 };
 
-/// Branches that wait: the last one pushed is the first one popped.
+/// The branches to be visited: the last one pushed is the first one popped.
 template <class Real>
 class Stack {
 public:
@@ -56,8 +56,8 @@ private:
     std::size_t size_ = 0;
 };
 
-/// The surface that the ray meets first. `test(surface)` gives the crossing with a surface. It looks into the nearer
-/// half of a branch first, and into none that begins beyond the best hit so far.
+/// Finds the surface that the ray meets first. `test(surface)` gives the crossing with a surface. Visits the nearer
+/// half of a branch first, and skips every branch that begins beyond the best hit so far.
 template <class Real, class Test, class Probe>
 std::optional<Hit<Real>> walk(const Tree& tree, const Ray<Real>& ray, const Test& test, Probe& probe) {
     std::optional<Hit<Real>> best;

@@ -2,8 +2,8 @@
 
 namespace glassbox {
 
-/// The probe that listens to nothing. A formula tells its probe what it computes, `probe(told::Name{}, values…)`; what
-/// a probe makes of that is its own affair (count it, keep it, print it). This one compiles to no code at all.
+/// The probe that ignores everything. A formula reports what it computes to its probe, `probe(told::Name{}, values…)`;
+/// a probe may count, keep or print it. This one compiles to no code at all.
 struct Silent {
     template <class What, class... Values>
     constexpr void operator()(What, const Values&...) const {}

@@ -22,7 +22,7 @@ bool is_finite(const Vec3<Real>& a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-/// A ray that can be traced: finite numbers, and a direction that is not zero.
+/// Whether a ray can be traced: its numbers are finite and its direction is not zero.
 template <class Real>
 bool is_valid(const Ray<Real>& ray) {
     return is_finite(ray.P) && is_finite(ray.D) && ray.D != Vec3<Real>{};

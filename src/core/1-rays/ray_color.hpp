@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-/// A ray made visible, as red, green and blue from 0 to 255: its direction gives the colour (x, y, z from -1 to 1
-/// become red, green, blue from dark to full), and a chessboard of 50 pixels a square shows the viewing plane under it.
+/// Shows a ray as red, green and blue from 0 to 255. Its direction gives the colour (x, y, z from -1 to 1 become red,
+/// green, blue from dark to full); a chessboard with squares of 50 pixels shows the viewing plane.
 template <class Real>
 Vec3<Real> ray_color(const Ray<Real>& ray, int j, int i) {
     const Vec3<Real> D = unit(ray.D);

@@ -3,14 +3,14 @@
 
 namespace glassbox {
 
-/// What comparing two values of the scalar Real answers: a bool for the built-in ones. A scalar that carries its own
-/// error may answer "undecided"; it brings a truth of its own, with `&`, `&&`, `!=`, `surely` and `possibly`.
+/// The result type of comparing two values of the scalar Real: bool for the built-in scalars. A scalar that carries its
+/// own error may answer "undecided"; it defines its own type, with `&`, `&&`, `!=`, `surely` and `possibly`.
 template <class Real>
 using Truth = decltype(std::declval<const Real&>() < std::declval<const Real&>());
 
-/// Is it proven true?
+/// Whether it is proven true.
 constexpr bool surely(bool truth) { return truth; }
-/// Could it be true?
+/// Whether it could be true.
 constexpr bool possibly(bool truth) { return truth; }
 
 }  // namespace glassbox

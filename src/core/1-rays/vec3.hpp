@@ -39,13 +39,13 @@ constexpr Vec3<Real> operator/(const Vec3<Real>& a, const std::type_identity_t<R
     return {a.x / s, a.y / s, a.z / s};
 }
 
-/// a·b = |a||b| cos of the angle between them.
+/// a·b = |a||b| cos θ, θ the angle between a and b.
 template <class Real>
 constexpr Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// a × b, at right angles to both, right-handed. Swapping a and b flips every sign, to the bit.
+/// a × b, perpendicular to both, right-handed. Swapping a and b negates every component, bit for bit.
 template <class Real>
 constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -58,7 +58,7 @@ Real length(const Vec3<Real>& a) {
     return sqrt(dot(a, a));
 }
 
-/// a/|a|: the direction of a, of length 1. The direction of the zero vector is not a number.
+/// a/|a|: the direction of a, with length 1. Not a number for the zero vector.
 template <class Real>
 Vec3<Real> unit(const Vec3<Real>& a) {
     return a / length(a);

@@ -6,7 +6,7 @@ namespace glassbox {
 /// A light so far away that only its direction counts.
 template <class Real>
 struct Light {
-    Vec3<Real> L;    ///< as the scene gives it: from the world's origin towards the light, of any length but 0
+    Vec3<Real> L;    ///< as in the scene: from the world's origin towards the light, of any length but 0
     Real intensity;  ///< I, 1 for full
     Vec3<Real> l;    ///< unit(L)
 };

@@ -11,7 +11,7 @@ struct NormalLight {};   ///< n·l, the cosine of the angle between normal and l
 struct NormalViewer {};  ///< n·r, r the unit vector towards the viewer
 struct HalfVector {};    ///< h
 struct NormalHalf {};    ///< n·h
-struct Reflection {};    ///< (reflection, r·reflection) of Phong's own form
+struct Reflection {};    ///< (reflection, r·reflection) of Phong's original model
 struct Ambient {};       ///< k_a
 struct DiffuseTerm {};   ///< I k_d max(0, n·l)
 struct SpecularTerm {};  ///< I k_s max(0, n·h)^e
@@ -19,7 +19,7 @@ struct SpecularTerm {};  ///< I k_s max(0, n·h)^e
 
 enum class ShadingModel { phong, blinn_phong, levental_2014 };
 
-/// How surfaces answer light. The k are factors, usually 0 to 1; colours count from 0 to 255.
+/// How surfaces reflect light. The k are factors, usually 0 to 1; colours range from 0 to 255.
 template <class Real>
 struct Shading {
     ShadingModel model = ShadingModel::blinn_phong;
@@ -36,26 +36,26 @@ struct Terms {
     Vec3<Real> ambient, diffuse, specular;
 };
 
-/// max(0, x), with 0 for not a number.
+/// max(0, x); 0 for NaN.
 template <class Real>
 Real positive_part(const Real& x) {
     return x > Real(0) ? x : Real(0);
 }
 
-/// The vector midway between two others, of length 1; no vector at all (0) where they cancel.
+/// The unit vector halfway between two others; the zero vector where they cancel.
 template <class Real>
 Vec3<Real> halfway(const Vec3<Real>& a, const Vec3<Real>& b) {
     const Vec3<Real> sum = a + b;
     return sum == Vec3<Real>{} ? sum : unit(sum);
 }
 
-/// A unit normal turned to the side that the viewer sees.
+/// The unit normal n, flipped if it points away from the viewer.
 template <class Real>
 Vec3<Real> towards(const Vec3<Real>& r, const Vec3<Real>& n) {
     return dot(n, r) < Real(0) ? -n : n;
 }
 
-/// n·h of Blinn's form: h = unit(l + r).
+/// n·h of Blinn's model: h = unit(l + r).
 template <class Real, class Probe>
 Real highlight_blinn(const Vec3<Real>& n, const Vec3<Real>& l, const Vec3<Real>& r, Probe& probe) {
     const Vec3<Real> h = halfway(l, r);
@@ -65,7 +65,7 @@ Real highlight_blinn(const Vec3<Real>& n, const Vec3<Real>& l, const Vec3<Real>&
     return n_h;
 }
 
-/// r·(2(n·l)n − l) of Phong's own form: how near the mirrored light comes to the viewer.
+/// r·(2(n·l)n − l) of Phong's original model: how close the reflected light comes to the viewer.
 template <class Real, class Probe>
 Real highlight_phong(const Vec3<Real>& n, const Vec3<Real>& l, const Vec3<Real>& r, Probe& probe) {
     const Vec3<Real> reflection = 2 * dot(n, l) * n - l;
@@ -75,10 +75,10 @@ Real highlight_phong(const Vec3<Real>& n, const Vec3<Real>& l, const Vec3<Real>&
 }
 
 /// k_a I_a + I (k_d max(0, n·l) colour + k_s max(0, n·h)^e white), term by term (the paper's section 1.2.3).
-/// `n` is the surface's unit normal, `r` the unit vector towards the viewer, `color` the surface's own.
+/// `surface_normal` is the unit normal n, `r` the unit vector towards the viewer, `color` the surface's colour.
 ///
-/// The model levental_2014 keeps what the paper's program does: the normal stays as it is, and the half vector is
-/// unit(L + r) with the light's L not of length 1.
+/// The model levental_2014 does what the paper's program does: it never flips the normal, and its half vector is
+/// unit(L + r) with the light's L, which is not of length 1.
 template <class Real, class Probe>
 Terms<Real> shade(const Vec3<Real>& surface_normal, const Vec3<Real>& r, const Vec3<Real>& color,
                   const Light<Real>& light, const Shading<Real>& shading, Probe& probe) {
@@ -101,7 +101,7 @@ Terms<Real> shade(const Vec3<Real>& surface_normal, const Vec3<Real>& r, const V
             tinted(specular, shading.specular_color)};
 }
 
-/// The pixel that the terms add up to. levental_2014 cuts each term to a whole byte before it adds them.
+/// The pixel's colour, the sum of the terms. levental_2014 truncates each term to a byte before it adds them.
 template <class Real>
 Rgb to_rgb(const Terms<Real>& terms, ShadingModel model) {
     const auto& [ambient, diffuse, specular] = terms;

@@ -18,7 +18,7 @@ struct Turn {
     constexpr bool operator==(const Turn&) const = default;
 };
 
-/// A rotation: where it takes the unit vectors of the three axes (the columns of its matrix).
+/// A rotation, given by the images of the three axes' unit vectors (the columns of its matrix).
 template <class Real>
 struct Rotation {
     Vec3<Real> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -29,13 +29,13 @@ Vec3<Real> operator*(const Rotation<Real>& R, const Vec3<Real>& v) {
     return v.x * R.x + v.y * R.y + v.z * R.z;
 }
 
-/// First S, then R.
+/// The rotation that applies S first, then R.
 template <class Real>
 Rotation<Real> operator*(const Rotation<Real>& R, const Rotation<Real>& S) {
     return {R * S.x, R * S.y, R * S.z};
 }
 
-/// (cos, sin) of an angle in degrees; exact at the quarter turns, which radians cannot name.
+/// (cos, sin) of an angle in degrees; exact at quarter turns, which radians cannot represent.
 template <class Real>
 std::pair<Real, Real> cos_sin(const Real& degrees) {
     using std::cos, std::sin, std::remquo;
@@ -54,7 +54,7 @@ std::pair<Real, Real> cos_sin(const Real& degrees) {
     }
 }
 
-/// The rotation that a turn is.
+/// The rotation of one turn.
 template <class Real>
 Rotation<Real> rotation(const Turn<Real>& turn) {
     const auto [c, s] = cos_sin(turn.degrees);
@@ -68,8 +68,8 @@ Rotation<Real> rotation(const Turn<Real>& turn) {
     }
 }
 
-/// All turns in the order given, each about an axis of the world, rebuilt from the start: rotating the points again and
-/// again instead would add up the rounding of every step. `turns` is any range of Turn<Real>.
+/// The rotation of all turns in the order given, each about an axis of the world. Build it anew from all turns:
+/// rotating the points again and again would accumulate the rounding of every step. `turns` is any range of Turn<Real>.
 template <class Real, class Turns>
 Rotation<Real> rotation(const Turns& turns) {
     Rotation<Real> R;
@@ -77,7 +77,7 @@ Rotation<Real> rotation(const Turns& turns) {
     return R;
 }
 
-/// A point turned about the pivot.
+/// Rotates a point about the pivot.
 template <class Real>
 Vec3<Real> turned(const Vec3<Real>& point, const Rotation<Real>& R, const Vec3<Real>& pivot) {
     return pivot + R * (point - pivot);

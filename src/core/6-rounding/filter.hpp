@@ -9,12 +9,12 @@
 
 namespace glassbox {
 
-/// The largest absolute values, axis by axis, of the starts and directions of the rays that are to come.
+/// The largest absolute values, axis by axis, of the starts and directions of all rays to be traced.
 struct RayBounds {
     Vec3<double> P, D;
 };
 
-/// The reach of those rays and one more.
+/// The bounds extended by one more ray.
 inline RayBounds including(const RayBounds& reach, const Ray<double>& ray) {
     const auto larger = [](const Vec3<double>& a, const Vec3<double>& b) {
         return Vec3<double>{std::max(a.x, std::abs(b.x)), std::max(a.y, std::abs(b.y)), std::max(a.z, std::abs(b.z))};
@@ -22,37 +22,37 @@ inline RayBounds including(const RayBounds& reach, const Ray<double>& ray) {
     return {larger(reach.P, ray.P), larger(reach.D, ray.D)};
 }
 
-// A-priori filters: bounds, found once for a surface, on the rounding error of the doubles that decide about it, for
+// A-priori filters: bounds, computed once per surface, on the rounding error of the doubles that decide its test, for
 // any ray within reach. They cost the inner loop a comparison or two. Where numbers are so large or small that overflow
-// or underflow could matter they are infinite, and decide nothing.
+// or underflow could matter, the bounds are infinite and decide nothing.
 
 namespace filter {
 
 inline constexpr double u = 0x1p-53;
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Is a number of a size whose products of seven neither overflow nor underflow?
+/// Whether products of seven numbers of that size neither overflow nor underflow.
 constexpr bool is_ordinary(double size) { return size > 0x1p-100 && size < 0x1p100; }
 
 inline double greatest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// Of the three side products. With a = A − P, b = B − P, s = D·(b × a), and S the same sum over absolute values, every
-/// term has been rounded at most seven times, so |ŝ − s| ≤ 7u S + O(u²) < 8u S; and S is largest where all
+/// Bounds the error of the three side products. With a = A − P, b = B − P, s = D·(b × a), and S the same sum over
+/// absolute values, every term is rounded at most seven times, so |ŝ − s| ≤ 7u S + O(u²) < 8u S. S is largest where all
 /// coordinates are: at |A| + |P|, |D|.
 inline double sides_error(const Triangle<double>& triangle, const RayBounds& reach) {
-    // + of magnitudes adds, so that "seen from P" is |A| + |P|.
+    // The difference of two magnitudes is their sum, so `seen_from` gives |A| + |P|.
     const Triangle<Magnitude> seen = seen_from(convert<Magnitude>(reach.P), convert<Magnitude>(triangle));
     const Sides<Magnitude> S = sides(convert<Magnitude>(reach.D), seen);
     const double coordinate =
         std::max({greatest(triangle.A), greatest(triangle.B), greatest(triangle.C), greatest(reach.P)});
     const double size = std::max({S.a.size, S.b.size, S.c.size});
     if (!is_ordinary(greatest(reach.D)) || !(coordinate < 0x1p100) || !(size > 0x1p-900)) return never;
-    return 9 * u * size;  // 9 for 8: this sum is itself rounded
+    return 9 * u * size;  // 9 instead of 8: this sum is itself rounded
 }
 
-/// Of the discriminant (v·D)² − D²(v² − r²), by either rule. Rounding v, v·D, v·v and D·D relatively, each by a few u,
-/// moves it by at most 32u D²(|v|² + r²) + O(u²): in Textbook 20u, in Stable, where l = f + (b/a)d is off by 11u|f|,
-/// 32u.
+/// Bounds the error of the discriminant (v·D)² − D²(v² − r²), by either rule. Relative errors of a few u in each of v,
+/// v·D, v·v and D·D change it by at most 32u D²(|v|² + r²) + O(u²): 20u in Textbook, 32u in Stable, where
+/// l = f + (b/a)d is off by 11u|f|.
 inline double discriminant_error(const Sphere<double>& sphere, const RayBounds& reach) {
     const auto [cx, cy, cz] = sphere.c;
     const Vec3<double> v{std::abs(cx) + reach.P.x, std::abs(cy) + reach.P.y, std::abs(cz) + reach.P.z};
@@ -61,8 +61,8 @@ inline double discriminant_error(const Sphere<double>& sphere, const RayBounds& 
     return 40 * u * D2 * (v2 + r2);
 }
 
-/// Of D·A, A seen from the ray's start: how far ahead a vertex is, in units of length |D|. Every term has been rounded
-/// at most four times.
+/// Bounds the error of D·A, A seen from the ray's start: how far ahead a vertex is, in units of length |D|. Every term
+/// is rounded at most four times.
 inline double distance_error(const Triangle<double>& triangle, const RayBounds& reach) {
     const auto& [A, B, C] = seen_from(convert<Magnitude>(reach.P), convert<Magnitude>(triangle));
     const Vec3<Magnitude> D = convert<Magnitude>(reach.D);
@@ -71,19 +71,19 @@ inline double distance_error(const Triangle<double>& triangle, const RayBounds& 
     return 6 * u * size;
 }
 
-/// Of v² − r², which says whether the ray starts outside the sphere: 6u(|v|² + r²) + O(u²).
+/// Bounds the error of v² − r², which says whether the ray starts outside the sphere: 6u(|v|² + r²) + O(u²).
 inline double power_error(const Sphere<double>& sphere, const RayBounds& reach) {
     const Vec3<Magnitude> v = convert<Magnitude>(reach.P) - convert<Magnitude>(sphere.c);
     if (!is_ordinary(greatest(reach.P) + greatest(sphere.c)) || !is_ordinary(sphere.r)) return never;
     return 8 * u * (dot(v, v).size + sphere.r * sphere.r);
 }
 
-/// Bounds on what decides about a sphere.
+/// Error bounds on the numbers that decide a sphere's test.
 struct SphereErrors {
     double discriminant = never, power = never;
 };
 
-/// Bounds on what decides about a triangle.
+/// Error bounds on the numbers that decide a triangle's test.
 struct TriangleErrors {
     double side = never, distance = never;
 };

@@ -2,7 +2,8 @@
 
 namespace glassbox {
 
-/// A truth that may be unknown, after Kleene's strong three-valued logic: what comparing two uncertain numbers answers.
+/// A truth value that may be unknown, by Kleene's strong three-valued logic: the result of comparing two uncertain
+/// numbers.
 class Kleene {
 public:
     constexpr Kleene(bool truth) : state_(truth ? State::yes : State::no) {}

@@ -4,7 +4,7 @@
 
 namespace glassbox {
 
-/// A scalar that keeps sizes only: signs are dropped, and + and − both add. A formula run in it sums the absolute
+/// A scalar that keeps only sizes: it drops signs, and both + and − add. A formula evaluated in it sums the absolute
 /// values of all its terms: the size of everything that could cancel.
 struct Magnitude {
     double size = 0;

@@ -5,16 +5,16 @@
 
 namespace glassbox {
 
-/// A measurement where there is nothing to measure, at a pixel that meets no surface, say.
+/// The value where there is nothing to measure, such as at a pixel whose ray meets no surface.
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-/// One number a pixel: row by row, from the top left, like an Image. `no_value` where there is none.
+/// One number per pixel: row by row, from the top left, like an Image. `no_value` where there is none.
 struct Channel {
     std::string name;  ///< as in files: "depth", "n.l", "normal.x"
     int width = 0;
     int height = 0;
     std::vector<double> values;
-    std::string why_no_value = {};  ///< of all pixels: "no ray meets a surface"; empty where one has a value
+    std::string why_no_value = {};  ///< for all pixels: "no ray meets a surface"; empty if any has a value
 };
 
 }  // namespace glassbox

@@ -23,13 +23,13 @@ std::vector<Channel> empty_channels(const Measurement& measurement, int width, i
 PixelNumbers& numbers_of(PixelNumbers& probe) { return probe; }
 PixelNumbers& numbers_of(WithTriangles& probe) { return probe.numbers; }
 
-/// How far apart two views let the rays of a pixel start.
+/// The distance between the starts of a pixel's rays in two views.
 double drift(const View& one, const View& other, int x, int y, int height) {
     const auto [dx, dy, dz] = pixel_ray(one, x, y, height).P - pixel_ray(other, x, y, height).P;
-    return std::hypot(dx, dy, dz);  // whose squares neither overflow nor underflow
+    return std::hypot(dx, dy, dz);  // its squares neither overflow nor underflow
 }
 
-/// The reason that came nearest to a value, of all pixels' reasons so far. Pixels are told of by several threads.
+/// The reason nearest to a value, of all pixels' reasons so far. Several threads add reasons.
 class NearestReason {
 public:
     void consider(WhyNoValue why) {
@@ -47,7 +47,7 @@ bool has_value(const Channel& channel) {
     return !std::ranges::all_of(channel.values, [](double value) { return std::isnan(value); });
 }
 
-/// What all of them need together.
+/// The union of the measurements' needs.
 Needs needs_of(std::span<const Measurement* const> wanted) {
     Needs needs;
     for (const Measurement* measurement : wanted) {
@@ -60,13 +60,13 @@ Needs needs_of(std::span<const Measurement* const> wanted) {
     return needs;
 }
 
-/// Measures with the probe that is just enough.
+/// Measures with the cheapest sufficient probe.
 template <class Probe>
 std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options options,
                                               std::span<const Measurement* const> wanted, Job job) {
     const Needs needs = needs_of(wanted);
     if (needs.boxes && options.engine == EngineChoice::automatic) options.engine = EngineChoice::fast;
-    // The engine's way to the nearest surface passes over what lies behind it.
+    // The engine's traversal to the nearest hit skips what lies behind it.
     const bool by_engine = uses_engine(scene, options, false);
     const bool count_hits = needs.all_hits && by_engine;
     if (!job.engine && (needs.truth || by_engine)) job.engine = build_engine(scene, options.stage, job.threads);

@@ -17,7 +17,7 @@ constexpr std::string_view scalar_names[] = {"tests",  "hits",         "depth", 
                                              "drift",  "bits-lost",    "identity",  "nodes",    "boxes-missed"};
 constexpr std::string_view normal_names[] = {"normal.x", "normal.y", "normal.z"};
 
-/// A measurement of one component names its only plane as itself. `name` must be among scalar_names.
+/// A measurement of one component gives its only channel its own name. `name` must be in scalar_names.
 constexpr std::span<const std::string_view> plane_of(std::string_view name) {
     const auto* const found = std::find(std::begin(scalar_names), std::end(scalar_names), name);
     return {found, 1};

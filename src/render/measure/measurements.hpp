@@ -16,40 +16,40 @@ enum class Scale {
     direction,   ///< three components from -1 to 1, shown as red, green, blue
 };
 
-/// What tells a measurement its values.
+/// Where a measurement's values come from.
 enum class Source {
     ray,          ///< every ray has one
     hit,          ///< what the ray meets first
-    light,        ///< the shading there
-    half_vector,  ///< that of the shading
+    light,        ///< the shading at the hit
+    half_vector,  ///< the shading's half vector
     spheres,      ///< the tests of spheres
     sides,        ///< the side products of triangles
     proof,        ///< a search that proves its answers
-    true_t,       ///< a comparison with the t that a proof finds at the same surface
-    boxes,        ///< the engine's walk
+    true_t,       ///< a comparison with the true t at the same surface
+    boxes,        ///< the engine's traversal
 };
 
-/// What it takes to measure something, beyond listening to what is traced anyway.
+/// What a measurement needs beyond listening to the rays that are traced anyway.
 struct Needs {
-    bool truth = false;      ///< what a certified search finds, to compare with
-    bool triangles = false;  ///< what the side products of every triangle tested say about themselves
-    bool drift = false;      ///< the view turned in another way, to compare with
-    bool all_hits = false;   ///< what lies behind what is seen, too
+    bool truth = false;      ///< the true hits, to compare with
+    bool triangles = false;  ///< the side products of every tested triangle, measured
+    bool drift = false;      ///< the view turned in the other way, to compare with
+    bool all_hits = false;   ///< hits behind the nearest one, too
     bool boxes = false;      ///< the engine's hierarchy
 };
 
 /// One thing that `glassbox measure` can measure.
 struct Measurement {
-    std::string_view name;         ///< as typed: "depth"
+    std::string_view name;         ///< as typed on the command line: "depth"
     std::string_view unit;         ///< "|D|"; empty for a pure number or a count
     std::string_view explanation;  ///< one line for a legend or a list
     Scale scale;
     Source source;
-    std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; otherwise that of its values
+    std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; else that of its values
     std::span<const std::string_view> channels;          ///< the names of its components: itself, or x, y and z
     std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has channels
     Needs needs = {};
-    std::optional<double> contour = {};  ///< a value whose border is drawn as a line
+    std::optional<double> contour = {};  ///< a value whose contour is drawn
 };
 
 /// All measurements, in the order in which they are listed.

@@ -15,9 +15,9 @@
 
 namespace glassbox {
 
-/// The counting probe behind `measure`: keeps the numbers of one pixel as the formulas tell them; `no_value` for those
-/// that were not reached. What side products say about themselves costs several times the tests themselves: that is
-/// WithTriangles' part.
+/// The counting probe behind `measure`: keeps the numbers of one pixel as the formulas report them; `no_value` for
+/// those not reached. Measuring side products costs several times as much as the tests themselves: WithTriangles does
+/// it.
 struct PixelNumbers {
     static constexpr bool only_nearest = true;
 
@@ -27,18 +27,18 @@ struct PixelNumbers {
     std::array<double, 3> normal{no_value, no_value, no_value};
     double n_l = no_value, n_h = no_value, n_v = no_value;
     double ambient = no_value, diffuse = no_value, specular = no_value;
-    double discriminant = no_value;  ///< the largest of all spheres tested
-    bool sphere_tested = false;      ///< there was one at all
+    double discriminant = no_value;  ///< the largest of all tested spheres'
+    bool sphere_tested = false;      ///< at least one
     TriangleNumbers triangles;
-    int exact_tests = 0;                 ///< surfaces that took exact arithmetic
-    double undecided = no_value;         ///< the same, where the search is a proven one
+    int exact_tests = 0;                 ///< surfaces that needed exact arithmetic
+    double undecided = no_value;         ///< the same, if the search proves its answers
     double verdict = no_value;           ///< 0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface
     double bits_lost = no_value;         ///< of t, where the surface is right
     double drift = no_value;             ///< of the ray's start
-    double nodes = no_value;             ///< of the hierarchy, visited
-    double boxes_missed = no_value;      ///< in them
+    double nodes = no_value;             ///< nodes of the hierarchy visited
+    double boxes_missed = no_value;      ///< boxes in them, missed
     std::optional<std::size_t> surface;  ///< the nearest
-    long double found_t = no_value;      ///< its t, as every scalar can say it
+    long double found_t = no_value;      ///< its t, wide enough for every scalar
 
     template <class What, class... Values>
     void operator()(What, const Values&...) {}
@@ -97,7 +97,7 @@ struct PixelNumbers {
     void operator()(told::Discriminant, const Real& value) {
         sphere_tested = true;
         const double now = static_cast<double>(value);
-        if (now > discriminant || discriminant != discriminant) discriminant = now;  // passes over not a number
+        if (now > discriminant || discriminant != discriminant) discriminant = now;  // ignores NaN
     }
 
     void operator()(told::Undecided, std::size_t) { ++exact_tests; }

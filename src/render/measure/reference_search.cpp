@@ -18,7 +18,7 @@ const Pluecker& rule_for(const Triangle<double>&) {
     return rule;
 }
 
-/// One ray's surfaces, asked one after the other.
+/// Tests one ray's surfaces, one after the other.
 class ExhaustiveSearch {
 public:
     ExhaustiveSearch(const engine::Engine& engine, const Ray<double>& ray)
@@ -59,7 +59,7 @@ private:
                                      [&](const auto& shape) { return exact_crossing(ray_, shape, rule_for(shape)); });
     }
 
-    /// Is `one` what a ray meets first of the two?
+    /// Whether the ray meets `one` before `other`.
     bool is_before(const Met& one, const Met& other) const {
         if (surely(one.t < other.t)) return true;
         if (surely(one.t > other.t)) return false;
@@ -74,7 +74,7 @@ private:
     std::size_t hits_ = 0;
 };
 
-/// Asks all surfaces of a leaf, and goes on to the end.
+/// Tests all surfaces of a leaf, and never shortens the ray.
 float ask_leaf(void* state, std::uint32_t leaf, float until) {
     auto& [engine, search] = *static_cast<std::pair<const engine::Engine&, ExhaustiveSearch&>*>(state);
     const engine::Hierarchy& hierarchy = engine.hierarchy();
@@ -84,7 +84,7 @@ float ask_leaf(void* state, std::uint32_t leaf, float until) {
     return until;
 }
 
-/// How many bits of a t that was found in a scalar are lost.
+/// How many bits a t found in that scalar has lost.
 double lost(long double t, const Exact& truth, Scalar scalar) {
     if (scalar == Scalar::float_) return bits_lost(static_cast<float>(t), truth);
     if (scalar == Scalar::long_double) return bits_lost(t, truth);

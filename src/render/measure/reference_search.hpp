@@ -8,22 +8,22 @@
 
 namespace glassbox {
 
-/// What a ray truly meets.
+/// The true hits of a ray.
 struct TrueHits {
     std::size_t hits = 0;                ///< surfaces that it meets
-    std::optional<std::size_t> nearest;  ///< of those at the same distance the one listed last
+    std::optional<std::size_t> nearest;  ///< at the same distance, the one listed last
     std::optional<TrueT> t;              ///< of the nearest
 };
 
-/// Finds what rays truly meet, to hold against it what a search found. It shares none of a search's short cuts: each
-/// surface is asked, with running bounds and, where they do not tell, exactly; none is passed over for lying behind
-/// another, and distances that bounds do not tell apart are compared exactly. Only in scenes of more surfaces than
-/// `few` are those left out whose boxes the ray surely misses.
+/// Finds the true hits of rays, as the reference for a search. It shares no shortcut with the searches: it tests each
+/// surface with running bounds and, if they do not decide, exactly; it skips none that lies behind another, and
+/// compares exactly the distances that bounds cannot order. Only in scenes with more surfaces than `few` does it skip
+/// those whose boxes the ray surely misses.
 class ReferenceSearch {
 public:
     static constexpr std::size_t few = 2000;
 
-    /// Of the surfaces in the engine.
+    /// Searches the surfaces in the engine.
     explicit ReferenceSearch(std::shared_ptr<const engine::Engine> engine) : engine_(std::move(engine)) {}
 
     /// `ray` must be valid.
@@ -32,8 +32,8 @@ public:
     /// How many surfaces the ray meets.
     double hits(const Ray<double>& ray) const { return is_valid(ray) ? static_cast<double>(true_hits(ray).hits) : 0; }
 
-    /// Fills in the pixel's verdict and, where it found the right surface, the bits that its t has lost. `scalar` is
-    /// the one that found it.
+    /// Fills in the pixel's verdict and, if its surface is right, the bits that its t has lost. `scalar` is the one
+    /// that found it.
     void compare(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const;
 
 private:

@@ -12,7 +12,7 @@
 namespace glassbox {
 
 /// The three side products of a triangle as a scalar computed them, with the sizes of their terms and their error
-/// bounds. All are divided by one power of two, so that a double holds them whatever the scalar and the scene's size.
+/// bounds. All are divided by one power of two, so that a double holds them for any scalar and any size of scene.
 ///
 /// Rounding moves a side product by less than 8u times the sum of its terms' sizes (see filter.hpp). A product that
 /// underflows is off by η/2 more, η the scalar's least positive number: two products in each component of a cross
@@ -48,7 +48,7 @@ private:
 
     int length() const { return 2 * length_ + direction_; }
 
-    /// Of the largest component; 0 where that is of ordinary size, and nothing needs to be scaled.
+    /// The exponent of the largest component; 0 if that has an ordinary size, and nothing needs to be scaled.
     static int exponent(const Vec3<Real>& v) {
         const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
         if (largest > Real(0x1p-60f) && largest < Real(0x1p60f)) return 0;
@@ -63,7 +63,7 @@ private:
         return {scaled(v.x, by), scaled(v.y, by), scaled(v.z, by)};
     }
 
-    /// The bound is itself rounded, and doubles may underflow in it, too.
+    /// The bound is itself rounded, and may itself underflow.
     static double bound(double size, double underflow) {
         return (8 * u * size + underflow) * (1 + 0x1p-40) + 8 * std::numeric_limits<double>::denorm_min();
     }
@@ -72,16 +72,16 @@ private:
     int length_, direction_;
 };
 
-/// What the side products of all triangles tested at a pixel say about themselves; `no_value` before the first, and
-/// where a number is too large for the scalar.
+/// Measures the side products of all triangles tested at a pixel; `no_value` before the first triangle, and where a
+/// number is too large for the scalar.
 struct TriangleNumbers {
     double side = no_value;      ///< the smallest side product, over the sum of its terms' sizes
     double margin = no_value;    ///< log10 of the deciding sign's |s| over its bound, for the least certain triangle
     double deficit = no_value;   ///< log10 of the paper's difference, the smallest
     double identity = no_value;  ///< the largest |a+b+c + D·((B−A)×(C−A))|, over an eighth of their bounds
-    bool tested = false;         ///< there was a triangle at all
+    bool tested = false;         ///< at least one triangle was tested
 
-    /// Takes in one triangle as seen from the ray's start, and the ray's direction.
+    /// Adds one triangle as seen from the ray's start, and the ray's direction.
     template <class Real>
     void take(const Triangle<Real>& seen, const Vec3<Real>& D) {
         tested = true;
@@ -105,8 +105,8 @@ private:
         side = size > 0 ? scaled / size : 0;
     }
 
-    /// |s| over its bound, of the sign that decides: of a hit, the least certain of the three; of a miss, the less
-    /// certain of one that is surely positive and one that is surely negative.
+    /// |s| over its bound, for the deciding sign: for a hit, the least certain of the three; for a miss, the less
+    /// certain of the most surely positive and the most surely negative one.
     static double certainty(const Sides<double>& s, const Sides<double>& bounds) {
         const auto over_bound = [](double value, double bound) {
             return std::isfinite(value) && std::isfinite(bound) ? value / bound : 0.0;
@@ -117,7 +117,7 @@ private:
         return std::min({std::abs(a), std::abs(b), std::abs(c)});
     }
 
-    /// As the tolerance rule itself tells it.
+    /// The deficit as the tolerance rule itself reports it.
     template <class Real>
     static double log10_of_deficit(const Triangle<Real>& seen, const Vec3<Real>& D) {
         Real told_deficit = 0;

@@ -11,7 +11,7 @@ namespace glassbox {
 
 namespace {
 
-/// The stage that first tells it.
+/// The first stage that has the source.
 int first_stage(Source source) {
     switch (source) {
         case Source::ray:
@@ -31,7 +31,7 @@ int first_stage(Source source) {
     return 1;
 }
 
-/// Why the search told nothing of what it should have.
+/// Why the search did not report this source.
 WhyNoValue why_silent(Source source, const PixelNumbers& numbers, const Circumstances& how) {
     using enum WhyNoValue;
     switch (source) {
@@ -59,7 +59,7 @@ WhyNoValue why_silent(Source source, const PixelNumbers& numbers, const Circumst
     return not_a_number;
 }
 
-/// What keeps the engine away.
+/// Why the engine is not used.
 std::string why_no_engine(const Options& options) {
     if (options.engine == EngineChoice::plain) return "the plain loop has no boxes";
     if (std::holds_alternative<Tolerance>(options.triangle_rule))
@@ -73,7 +73,7 @@ WhyNoValue why_no_value(const Measurement& what, const PixelNumbers& numbers, co
     if (!std::isnan(what.read(numbers).front())) return WhyNoValue::has_one;
     if (how.options.stage < first_stage(what.source)) return WhyNoValue::stage;
     const WhyNoValue why = why_silent(what.source, numbers, how);
-    // What does not hang on the ray is the better reason.
+    // A reason that does not depend on the ray is the better one.
     return !how.valid_ray && why > WhyNoValue::invalid_ray ? WhyNoValue::invalid_ray : why;
 }
 

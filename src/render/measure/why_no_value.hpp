@@ -8,26 +8,26 @@
 
 namespace glassbox {
 
-/// Why a measurement has no value at a pixel. The later one came nearer to a value: of all pixels' reasons the last
+/// Why a measurement has no value at a pixel. A later reason is nearer to a value: the last of all pixels' reasons
 /// counts.
 enum class WhyNoValue : std::uint8_t {
     has_one,
-    stage,          ///< the stage does not come to it
-    shading_model,  ///< the shading model does without it
-    triangle_rule,  ///< so does the rule for triangles
+    stage,          ///< the stage does not compute it
+    shading_model,  ///< the shading model does not use it
+    triangle_rule,  ///< neither does the rule for triangles
     scalar,         ///< the scalar proves nothing
     engine,         ///< there is no engine, and so no boxes
-    invalid_ray,    ///< the ray is none: not finite, or without direction
+    invalid_ray,    ///< the ray is not finite, or has no direction
     no_surface,     ///< none was tested
     not_in_boxes,   ///< the ray's numbers or the scene's are too large or too small for boxes
     no_sphere,      ///< none was tested
     no_triangle,
     no_hit,
     wrong_surface,
-    not_a_number,  ///< it was computed, and came out so
+    not_a_number,  ///< it was computed, and is NaN
 };
 
-/// How a measurement came about at a pixel.
+/// How a measurement was made at a pixel.
 struct Circumstances {
     const Options& options;
     ShadingModel model;
@@ -35,7 +35,7 @@ struct Circumstances {
     bool valid_ray;
 };
 
-/// From what the pixel's probe has heard.
+/// Finds the reason in what the pixel's probe heard.
 WhyNoValue why_no_value(const Measurement& what, const PixelNumbers& numbers, const Circumstances& how);
 
 /// "phong has no half vector"; empty for has_one.

@@ -6,7 +6,7 @@ namespace glassbox {
 
 namespace {
 
-/// Up to this many surfaces the plain loop takes at most some microseconds a ray.
+/// Up to this many surfaces, the plain loop takes at most some microseconds per ray.
 constexpr std::size_t small = 2000;
 
 }  // namespace

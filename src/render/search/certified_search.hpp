@@ -6,7 +6,7 @@
 
 namespace glassbox {
 
-/// Surfaces one after the other, each with bounds for all rays within reach: found once, they cost a ray nothing.
+/// A list of surfaces, each with error bounds for all rays within reach; computed once, they cost a ray nothing.
 struct ListedSurfaces {
     Surfaces<double> surfaces;
     std::vector<filter::SphereErrors> sphere_errors;
@@ -24,7 +24,7 @@ struct ListedSurfaces {
     }
 };
 
-/// With `no_bounds` all are infinite, and decide nothing.
+/// With `no_bounds`, all bounds are infinite and decide nothing.
 inline ListedSurfaces listed(Surfaces<double> surfaces, const RayBounds& reach, bool no_bounds) {
     ListedSurfaces result{std::move(surfaces), {}, {}};
     result.sphere_errors.resize(result.surfaces.spheres.size());
@@ -36,12 +36,12 @@ inline ListedSurfaces listed(Surfaces<double> surfaces, const RayBounds& reach, 
     return result;
 }
 
-/// Finds what a ray meets first by testing all surfaces, one after the other, and is right: see FilteredPredicates.
+/// Finds the nearest hit, correctly, by testing all surfaces one after the other: see FilteredPredicates.
 class CertifiedSearch {
 public:
     using Number = double;
 
-    /// `reach` must cover all rays that will be traced. With `only_exact` nothing is left to bounds.
+    /// `reach` must cover all rays to be traced. With `only_exact`, bounds decide nothing.
     CertifiedSearch(Surfaces<double> surfaces, const SphereRule& sphere_rule, const TriangleRule& triangle_rule,
                     const RayBounds& reach, bool only_exact)
         : predicates_(listed(std::move(surfaces), reach, only_exact), sphere_rule, triangle_rule, only_exact) {}
@@ -57,7 +57,7 @@ public:
         return best;
     }
 
-    /// The same as a plain search answers it.
+    /// The same hit in the form that PlainSearch returns.
     template <class Probe>
     std::optional<Hit<double>> trace(const Ray<double>& ray, Probe& probe) const {
         if (!is_valid(ray)) return {};

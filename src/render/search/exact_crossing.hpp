@@ -11,8 +11,8 @@ namespace glassbox {
 
 class Exact;
 
-/// A hit's t without any rounding. What it is made of, numerics/exact.hpp, takes compilers seconds to read: only who
-/// computes with it includes that.
+/// A hit's exact t. It hides numerics/exact.hpp, which takes compilers seconds to read: only code that computes with
+/// the number includes that.
 class TrueT {
 public:
     explicit TrueT(Exact t);
@@ -26,7 +26,7 @@ private:
     std::shared_ptr<const Exact> t_;
 };
 
-// The true t at which a valid ray meets a surface, if it does: the core's formula run without any rounding.
+// The true t at which a valid ray meets a surface, if it does: the core's formula evaluated without any rounding.
 std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule);
 std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule);
 

@@ -8,13 +8,13 @@
 namespace glassbox {
 
 namespace told {
-struct NodesVisited {};  ///< (count): nodes of the hierarchy whose eight boxes were tested
-struct BoxesMissed {};   ///< (count): so many of these the ray misses, or they lie behind what it has met
-struct BoxOpened {};     ///< (code): a box is looked into, of the node or the leaf with that code (engine::Child)
+struct NodesVisited {};  ///< (count): nodes of the hierarchy with their eight boxes tested
+struct BoxesMissed {};   ///< (count): of these boxes, those missed by the ray or behind its nearest hit so far
+struct BoxOpened {};     ///< (code): the walk visits the node or the leaf with that code (engine::Child)
 }  // namespace told
 
-/// A scene's surfaces in the engine. Bounds are found for a ray and a surface when they are asked for: a ray gets near
-/// few of them.
+/// A scene's surfaces in the engine. Computes bounds for a ray and a surface only on request: a ray comes near few
+/// surfaces.
 struct EngineSurfaces {
     std::shared_ptr<const engine::Engine> engine;
 
@@ -28,29 +28,29 @@ struct EngineSurfaces {
     }
 };
 
-/// A probe that asks for no more than what a ray meets first.
+/// A probe that needs only the nearest hit.
 template <class Probe>
 concept OnlyNearest = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
     Probe::only_nearest;
 };
 
-/// A probe that does not listen to the tests themselves, but to what comes of them.
+/// A probe that listens only to the tests' results, not to the tests themselves.
 template <class Probe>
 concept OnlyVerdicts = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
     Probe::only_verdicts;
 };
 
-/// A probe that wants to hear which boxes are looked into.
+/// A probe that listens to which boxes are visited.
 template <class Probe>
 concept HearsBoxes = requires {
     Probe::hears_boxes;
 };
 
-/// Finds what a ray meets first as CertifiedSearch does, and answers the same. It tests only surfaces whose boxes the
-/// ray meets, and, if the probe is OnlyNearest, not far behind what it has met.
+/// Finds the nearest hit with the same answers as CertifiedSearch. Tests only surfaces whose boxes the ray meets, and,
+/// if the probe is OnlyNearest, none far behind the nearest hit so far.
 ///
 /// A probe that listens to tests hears those that are made: of all surfaces in a leaf, each by the core's own formula.
-/// For one that does not, vectors first sort out what is surely missed.
+/// For other probes, vector instructions first reject the surfaces that are surely missed.
 class FastSearch {
 public:
     using Number = double;
@@ -83,7 +83,7 @@ public:
         return walk.best;
     }
 
-    /// The same as a plain search answers it.
+    /// The same hit in the form that PlainSearch returns.
     template <class Probe>
     std::optional<Hit<double>> trace(const Ray<double>& ray, Probe& probe) const {
         if (!is_valid(ray)) return {};
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    /// One ray's way through the hierarchy.
+    /// One ray's traversal of the hierarchy.
     template <class Probe>
     struct Walk {
         const FastSearch& search;

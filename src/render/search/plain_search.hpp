@@ -9,7 +9,7 @@
 
 namespace glassbox {
 
-/// Finds what a ray meets first by testing all surfaces, one after the other, in one scalar.
+/// Finds the nearest hit by testing all surfaces, one after the other, in one scalar.
 template <class Real, class SphereRoots, class TriangleTest>
 struct PlainSearch {
     using Number = Real;

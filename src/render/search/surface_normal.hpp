@@ -8,7 +8,8 @@
 
 namespace glassbox {
 
-/// The exponent of a vector's largest coordinate, as of 2ᵉ; very small for zeros, very large for what is no number.
+/// The exponent e of a vector's largest coordinate, as in 2ᵉ; FP_ILOGB0 for the zero vector, FP_ILOGBNAN if it is not
+/// finite.
 template <class Real>
 int exponent(const Vec3<Real>& a) {
     const auto of = [](const Real& x) { return std::ilogb(static_cast<double>(x)); };
@@ -16,13 +17,13 @@ int exponent(const Vec3<Real>& a) {
     return std::max({of(a.x), of(a.y), of(a.z)});
 }
 
-/// 2ⁿ a, in two steps, for 2ⁿ alone may be no number.
+/// 2ⁿ a, in two steps, because 2ⁿ alone may overflow or underflow.
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& a, int n) {
     return Real(std::ldexp(1.0, n - n / 2)) * (Real(std::ldexp(1.0, n / 2)) * a);
 }
 
-/// Is a vector's square far from overflow and underflow, in any scalar?
+/// Whether a vector's square is far from overflow and underflow, in any scalar.
 template <class Real>
 bool has_ordinary_square(const Vec3<Real>& a) {
     constexpr int most = 40;  // 3·2⁸² and 2⁻⁸⁰ are still floats
@@ -30,10 +31,10 @@ bool has_ordinary_square(const Vec3<Real>& a) {
     return e >= -most && e <= most;
 }
 
-// The core's normals, of surfaces of any size: where squares or products could overflow or underflow the vectors that
-// they are of are first multiplied by powers of two, which changes no normal and costs no bit.
+// The core's normals, for surfaces of any size. Where squares or products could overflow or underflow, their vectors
+// are first multiplied by powers of two, which changes no normal and loses no bit.
 
-/// Of a sphere about the origin, at a point of it.
+/// The unit normal of a sphere about the origin, at a point of it.
 template <class Real>
 Vec3<Real> unit_normal(const Sphere<Real>& sphere, const Vec3<Real>& point) {
     const int e = exponent(point);
@@ -45,7 +46,7 @@ template <class Real>
 Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
     const auto& [A, B, C] = convert<double>(triangle);
     if (has_ordinary_square(cross(B - A, C - A))) return normal(triangle);
-    // Halves of coordinates do not overflow when they are subtracted.
+    // The difference of two halved coordinates does not overflow.
     const auto overflows = [](const Vec3<Real>& difference) { return !is_finite(convert<double>(difference)); };
     const bool too_large = overflows(triangle.B - triangle.A) || overflows(triangle.C - triangle.A);
     const auto edge = [&](const Vec3<Real>& from, const Vec3<Real>& to) {
@@ -63,7 +64,7 @@ template <class Real>
 Vec3<Real> normal_at(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sphere) {
     const int e = exponent(Vec3<Real>{sphere.r, sphere.r, sphere.r});
     const bool is_far_off = std::max(exponent(ray.P), exponent(sphere.c)) - 12 > e;
-    // A small sphere far from the origin: as seen from its centre, where it loses none of its digits to c.
+    // A small sphere far from the origin: relative to its centre, the point loses no digits to c.
     if (is_far_off || e < -40 || e > 40) return unit_normal(Sphere<Real>{{}, sphere.r}, ray.P - sphere.c + t * ray.D);
     return normal(sphere, at(ray, t));
 }

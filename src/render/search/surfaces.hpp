@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-/// A scene's surfaces in the scalar that they are traced in. Spheres are numbered first, then triangles.
+/// A scene's surfaces in the tracing scalar. Spheres are numbered first, then triangles.
 template <class Real>
 struct Surfaces {
     std::vector<Sphere<Real>> spheres;
@@ -25,10 +25,10 @@ auto with_surface(const Surfaces<Real>& surfaces, std::size_t number, const Use&
     return number < spheres ? use(surfaces.spheres[number]) : use(surfaces.triangles[number - spheres]);
 }
 
-/// From this stage on all surfaces are known.
+/// The stage from which on all surfaces are known.
 inline constexpr int stage_of_all_surfaces = 3;
 
-/// How many spheres, and how many triangles a stage knows.
+/// How many spheres and how many triangles a stage knows.
 inline std::pair<std::size_t, std::size_t> count_surfaces(const Scene& scene, int stage) {
     std::size_t faces = 0;
     for (const Mesh& mesh : scene.meshes) faces += mesh.faces.size();

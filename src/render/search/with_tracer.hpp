@@ -13,8 +13,8 @@
 
 namespace glassbox {
 
-/// Calls `use(search)` with the search for a scene's surfaces that the options name, for the probe that is to listen.
-/// `reach` covers all rays to come.
+/// Calls `use(search)` with the search for a scene's surfaces that the options name, for probes of type Probe. `reach`
+/// must cover all rays to be traced.
 template <class Probe, class Use>
 auto with_search(const Scene& scene, const Options& options, const RayBounds& reach, const Job& job, const Use& use) {
     const auto plain = [&]<class Real>(std::type_identity<Real>) {
