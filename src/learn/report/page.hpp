@@ -6,12 +6,12 @@
 
 namespace glassbox::learn {
 
-/// A page for a teacher, in HTML and without anything outside it: for each learner and lesson the functions, the first
-/// thing that is wrong, the pictures and their difference; for several learners a table at the end. `remark` is a
-/// sentence on how they were looked at.
+/// Returns a page for a teacher, in HTML and self-contained: for each learner and lesson the functions, the first thing
+/// that is wrong, the pictures and their difference; for several learners a table at the end. `remark` is a sentence on
+/// how they were graded.
 std::string to_html(const std::vector<LearnerStanding>& learners, const std::string& remark = "");
 
-/// The table alone, for a terminal: a row a learner, a column a lesson, ending in a newline.
+/// Returns the table alone, for a terminal: a row per learner, a column per lesson, ending in a newline.
 std::string to_table(const std::vector<LearnerStanding>& learners);
 
 /// The same as CSV:
