@@ -1,4 +1,4 @@
-// The oracle itself, by cases whose answers can be seen.
+// The oracle itself, by cases whose answers are obvious.
 #include "oracle/oracle.hpp"
 
 #include <doctest.h>

@@ -1,5 +1,5 @@
-// The paper's five figures: with the sphere rule of its program our picture and that of the program, rewritten from its
-// description, are equal in every pixel; by the others those differ whose rays only touch a sphere.
+// The paper's five figures: with its program's sphere rule, our picture equals that of the program, rewritten from its
+// description, in every pixel; with the other rules the pixels differ whose rays only touch a sphere.
 #include <doctest.h>
 
 #include <baseline.hpp>
@@ -14,7 +14,7 @@ using namespace glassbox;
 
 namespace {
 
-/// `touched` of its pixels see nothing but the point of a sphere that their ray touches, and are not black there; the
+/// In `touched` of its pixels one sees only the point of a sphere that the ray touches, and it is not black; the
 /// paper's program misses these.
 struct Figure {
     const char* name;

@@ -1,5 +1,5 @@
-// What the paper's program has for a sphere test, asked for proven answers: the rule's own verdict, without rounding.
-// And how it is judged: by the mathematics, which it is not.
+// The sphere test of the paper's program with proven answers: the rule's own verdict, without rounding. And how it is
+// judged: by the mathematics, from which the rule differs.
 #include <doctest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Stage 2: where a ray meets a sphere, by two rules for the same two roots, and by what the paper's program had for
+// Stage 2: where a ray meets a sphere, by two rules for the same two roots, and by the rule of the paper's program for
 // one; and which of several hits comes first.
 #include <cmath>
 #include <levental_2014.hpp>
@@ -31,7 +31,7 @@ Roots<Real> roots_of(const Ray<Real>& ray, const Sphere<Real>& sphere, const Rul
 template <class Real>
 const Sphere<Real> five{{0, 0, 0}, 5};  // r = 5 about the origin
 
-/// A rule that answers what it was told to: so `intersect` is tested alone, whoever computes the roots.
+/// A rule that returns what it was given, to test `intersect` alone, whoever computes the roots.
 template <class Real>
 struct Given {
     Roots<Real> roots;
@@ -53,7 +53,7 @@ Crossing<Real> first_of(Real t0, Real t1) {
     return intersect_given<Real>({true, t0, t1});
 }
 
-/// A probe that keeps what a sphere's test tells, and counts how often.
+/// A probe that keeps what a sphere's test reports, and counts how often.
 template <class Real>
 struct SphereProbe {
     int tested = 0, discriminants = 0, roots = 0;
@@ -66,7 +66,7 @@ struct SphereProbe {
     void operator()(told::Roots, const Real& a, const Real& b) { ++roots, t0 = a, t1 = b; }
 };
 
-// What holds for the roots must hold whoever computes them: each of these is run with Textbook and with Stable.
+// Properties of the roots must hold whoever computes them: each of these runs with Textbook and with Stable.
 
 template <class Real, class Rule>
 void half_a_chord_is_four(const Rule& rule) {
@@ -230,7 +230,7 @@ void doubt_is_handed_on(const Rule& rule) {
     CHECK_FALSE(surely(roots.real));
 }
 
-// And what holds for `intersect`, with real roots.
+// Properties of `intersect`, with real roots.
 
 template <class Real, class Rule>
 void spheres_are_met_where_they_should_be(const Rule& rule) {

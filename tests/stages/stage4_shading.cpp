@@ -250,7 +250,7 @@ TEST_CASE_TEMPLATE("the front of the paper's green sphere, in its final picture:
 
 namespace {
 
-/// A probe that keeps what it is told, the last of each.
+/// A probe that keeps what is reported to it, the last of each.
 struct Kept {
     double n_l = 0, n_r = 0, n_h = 0, r_m = 0, ambient = 0, diffuse = 0, specular = 0;
     Vec3<double> h, reflection;
