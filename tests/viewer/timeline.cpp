@@ -70,7 +70,7 @@ TEST_CASE("the middle of the green sphere") {
     CHECK(value(story, events[second]) == -4600);
     CHECK(count_formulas(events, "Δ = ") == 2);
 
-    // The hit's point is computed for itself and again for the normal: told once.
+    // The hit's point is computed for itself and again for the normal: listed once.
     CHECK(count_formulas(events, "point.x = ") == 1);
     const std::size_t point = find_formula(events, "point.x = ", second);
     REQUIRE(point < events.size());
@@ -211,7 +211,7 @@ TEST_CASE("playing goes on by its speed, and stops at the end") {
     go_on_playing(state, results, 1e6);
     CHECK(state.step == results.timeline.size() - 1);
     CHECK_FALSE(state.playing);
-    play_or_pause(state, results);  // from the end it begins anew
+    play_or_pause(state, results);  // after the end it starts again
     CHECK(state.step == 0);
 }
 

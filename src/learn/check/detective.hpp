@@ -35,7 +35,7 @@ std::string looks_like(const TestRun& run, const std::vector<Trace>& known, cons
 /// A classic mistake that was recognised.
 struct Recognised {
     std::string name;        ///< "" for none
-    std::string looks_like;  ///< what is to be said of it, and of which function, if it is not the one looked at first
+    std::string looks_like;  ///< what to say about it, and about which function, if it is not the one looked at first
 };
 
 /// Returns the mistake that a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml.

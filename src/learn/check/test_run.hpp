@@ -25,7 +25,7 @@ struct Failure {
     std::string got;                    ///< of a condition its two sides: "3 == 4"
     std::string ulps;                   ///< how far they are apart; "" where it says nothing
     std::string threw;                  ///< what the exception says, if there was one
-    std::string died;                   ///< what ended the program in the middle of it, in words
+    std::string died;                   ///< what ended the program during the case, in words
     std::string death;                  ///< the same without what differs from run to run
     std::vector<std::string> contexts;  ///< "size := 8192"
     std::vector<std::string> subcases;  ///< "textbook"
@@ -56,7 +56,7 @@ struct TestRun {
 /// Whose headers are tested, and how.
 struct TestRequest {
     std::filesystem::path headers;             ///< the folder that comes first on the include path
-    std::filesystem::path folder;              ///< where the program is made; it must be there
+    std::filesystem::path folder;              ///< where the program is made; it must exist
     bool at_once = true;                       ///< try several scalars at the same time, to answer soon
     std::chrono::milliseconds deadline{5000};  ///< for the tests of a scalar
     /// Called with the results so far when all has passed and only the last scalar takes longer.

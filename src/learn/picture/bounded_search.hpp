@@ -16,7 +16,7 @@
 
 namespace glassbox::learn::mine {
 
-struct LeftOpen {};  ///< the bounds cannot tell whether a surface is met, or which of two is nearer
+struct LeftOpen {};  ///< the bounds cannot decide whether a surface is met, or which of two is nearer
 
 /// Finds what a ray meets first by the bounds of lesson 6 alone, perhaps a learner's: plain double where the filter
 /// proves a miss, else running bounds. It is the certified search without exact arithmetic: what the bounds cannot

@@ -11,7 +11,7 @@ namespace glassbox::learn {
 /// The picture of a lesson's program, or why there is none.
 struct LessonPicture {
     std::optional<CompileError> error;  ///< it did not compile
-    std::string died;                   ///< how it ended before it was done, in words; "" if it did not
+    std::string died;                   ///< how it ended early, in words; "" if it did not
     std::optional<Image> image;
 };
 
