@@ -50,7 +50,7 @@ std::string said(const Scene& scene, const Options& options, const char* what) {
     return said(scene, options, {find_measurement(what)}).at(what);
 }
 
-/// The reasons of all measurements: those of boxes are asked separately, because they choose the engine, which the
+/// The reasons of all measurements: those of boxes are requested separately, because they choose the engine, which the
 /// others then use, too.
 Reasons all_said(const Scene& scene, const Options& options) {
     std::vector<const Measurement*> of_boxes, others;

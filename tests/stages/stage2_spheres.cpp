@@ -80,7 +80,7 @@ void half_a_chord_is_four(const Rule& rule) {
 template <class Real, class Rule>
 void a_line_that_passes_by_has_no_roots(const Rule& rule) {
     CHECK_FALSE(roots_of({{-10, 6, 0}, {1, 0, 0}}, five<Real>, rule).real);
-    CHECK_FALSE(roots_of({{-10, 4, 4}, {1, 0, 0}}, five<Real>, rule).real);  // sqrt 32 > 5 beside the middle
+    CHECK_FALSE(roots_of({{-10, 4, 4}, {1, 0, 0}}, five<Real>, rule).real);  // sqrt 32 > 5 from the centre
 }
 
 template <class Real, class Rule>
@@ -100,7 +100,7 @@ void a_tangent_has_one_root_twice(const Rule& rule) {
     for (const Real size : sizes<Real>) {
         CAPTURE(size);
         const Sphere<Real> sphere{{0, 0, 0}, 5 * size};
-        // 5 beside the middle of radius 5: it touches at x = 0, 10 from the start
+        // 5 from the centre, radius 5: it touches at x = 0, 10 from the start
         const Roots<Real> tangent = roots_of({{-10 * size, 5 * size, 0}, {1, 0, 0}}, sphere, rule);
         CHECK(tangent.real);
         CHECK_EXACT(tangent.t0, 10 * size);
@@ -207,7 +207,7 @@ void roots_are_ordered_and_on_the_sphere(const Rule& rule) {
 
 template <class Real, class Rule>
 void the_discriminant_is_told(const Rule& rule) {
-    // 3 beside the middle of radius 5: r^2 - 3^2 = 16, times D.D = 4; and 6 beside it: 25 - 36 = -11, times 4
+    // 3 from the centre, radius 5: r^2 - 3^2 = 16, times D.D = 4; and 6 from it: 25 - 36 = -11, times 4
     SphereProbe<Real> hit, miss;
     const Ray<Real> inner{{-10, 3, 0}, {2, 0, 0}}, outer{{-10, 6, 0}, {2, 0, 0}};
     CAPTURE_RAY(inner, five<Real>);
@@ -412,7 +412,7 @@ TEST_CASE_TEMPLATE("intersect: by the rule of the paper's program a touch is a m
         const auto beside = [&](Real y, Real z) {
             return shoot<Real>({{-10 * size, y * size, z * size}, {1, 0, 0}}, sphere, rule);
         };
-        CHECK_FALSE(beside(5, 0).met);  // 5 beside the middle of radius 5; and again, as 3^2 + 4^2 = 5^2
+        CHECK_FALSE(beside(5, 0).met);  // 5 from the centre, radius 5; and again, as 3^2 + 4^2 = 5^2
         CHECK_FALSE(beside(3, 4).met);
         CHECK_FALSE(beside(6, 0).met);
         CHECK(beside(Real(4.75), 0).met);
@@ -474,7 +474,7 @@ TEST_CASE_TEMPLATE("intersect: the rule of the paper's program asks for Δ > 0, 
             const Vec3<Real> P = dice.vector(20 * size), to_center = dice.vector(10 * size);
             const Vec3<Real> aside = unit(cross(to_center, dice.vector(Real(1))));
             const Real r = dice.between(size, 3 * size), off = epsilon<Real> * static_cast<Real>(dice.whole(-4, 4));
-            // A line along to_center, r beside the middle.
+            // A line along to_center, r from the centre.
             const Ray<Real> ray{P + r * (1 + off) * aside, to_center};
             const Sphere<Real> sphere{P + to_center, r};
             CAPTURE_RAY(ray, sphere);

@@ -539,9 +539,9 @@ TEST_CASE_TEMPLATE("the deficit is twice the smaller of the positive and the neg
 }
 
 TEST_CASE("the tolerance refuses good hits of a large triangle") {
-    // Both rays are aimed at exactly the middle of the edge BC, which belongs to the triangle; every coordinate is
-    // whole. The true a is 0. Its terms are of size 1e29, so rounding may leave it anywhere within some 1e13, and where
-    // it comes out below 0, twice that stands against a tolerance of 10.
+    // Both rays are aimed at exactly the middle of the edge BC, which belongs to the triangle; every coordinate is an
+    // integer. The true a is 0. Its terms are of size 1e29, so rounding may leave it anywhere within some 1e13, and
+    // where it comes out below 0, twice its size is compared with a tolerance of 10.
     const Triangle<double> large{{0, 0, 0}, {1e10, 0, 0}, {0, 1e10, 0}};
     const Vec3<double> middle{5e9, 5e9, 0};
     int refused = 0;

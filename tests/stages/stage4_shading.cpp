@@ -267,7 +267,7 @@ struct Kept {
     void operator()(told::SpecularTerm, double value) { specular = value; }
 };
 
-/// What shading tells with the light from `slanted`, seen from `mirrored`, n = up, and I = 0.5.
+/// What shading reports with the light from `slanted`, seen from `mirrored`, n = up, and I = 0.5.
 Kept told_by(ShadingModel model) {
     const Light<double> light = directional_light(Vec3<double>{3, 0, 4}, 0.5);
     Shading<double> shading = full<double>(model, 2);

@@ -213,7 +213,7 @@ TEST_CASE("running bounds hold for the side products of any ray, and decide most
         if (surely(negative) || !possibly(negative)) CHECK(surely(negative) == (truth < 0));
         undecided += !surely(negative) && possibly(negative);
     }
-    // s is a sum of six terms up to 2¹²⁰, and its bound some 2⁻⁵¹ of that: nearer to 0 hardly any falls
+    // s is a sum of six terms up to 2¹²⁰, and its bound some 2⁻⁵¹ of that: hardly any s is nearer to 0
     CHECK_AT_MOST(undecided, 0);
 }
 

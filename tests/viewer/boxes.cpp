@@ -433,7 +433,7 @@ TEST_CASE("the button lies on the space view: a click on it shows boxes, and doe
     while (y < 380 && !viewer.state().box_level) drag(30, y += 5, 32);
     REQUIRE(viewer.state().box_level == 0);
     CHECK(viewer.state().orbit == before);
-    drag(150, y + 60, 170);  // beside it
+    drag(150, y + 60, 170);  // beside the button
     CHECK_FALSE(viewer.state().orbit == before);
 }
 

@@ -45,7 +45,7 @@ public:
     Reading(std::string_view source, bool by_indentation) : source_(source), by_indentation_(by_indentation) { read(); }
 
     bool is_even() const { return braces_.empty() && surplus_.empty(); }
-    bool is_cut_off() const { return cut_off_; }  ///< within a comment or an #if: the compiler tells
+    bool is_cut_off() const { return cut_off_; }  ///< within a comment or an #if: the compiler reports that
     const std::vector<Brace>& open() const { return braces_; }
     const std::vector<Spot>& surplus() const { return surplus_; }
     const std::optional<Unclosed>& text() const { return text_; }

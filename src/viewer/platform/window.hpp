@@ -7,8 +7,8 @@
 
 namespace glassbox {
 
-/// Draws one frame with Dear ImGui, and returns how long the frame may stand if nothing happens: 0 asks for the next
-/// one at once, infinity for none until an event comes.
+/// Draws one frame with Dear ImGui, and returns how long the frame may stay if nothing happens: 0 asks for the next one
+/// at once, infinity for none until an event comes.
 using DrawFrame = std::function<double(const Input&)>;
 
 struct WindowSize {

@@ -18,7 +18,7 @@ public:
     /// `scale` is the display's; calls `wake` from other threads when there is something new to draw.
     Interface(ViewerState state, float scale, const std::function<void()>& wake);
 
-    /// Draws a frame into the current Dear ImGui context. Returns how many seconds it may stand if nothing happens.
+    /// Draws a frame into the current Dear ImGui context. Returns how many seconds it may stay if nothing happens.
     double draw(const Input& input);
 
     ViewerState& state() { return state_; }

@@ -18,7 +18,7 @@ public:
     /// Calls `wake` from another thread when a file has changed.
     FileWatch(std::vector<std::filesystem::path> files, Gone gone, std::function<void()> wake);
 
-    /// Whether a file has changed since this was last asked.
+    /// Whether a file has changed since the last call.
     bool has_changed() { return changed_.exchange(false); }
 
     const std::vector<std::filesystem::path>& files() const { return files_; }
