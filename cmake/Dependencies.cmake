@@ -1,4 +1,4 @@
-# The compilers and libraries that Glassbox stands on. All are Debian packages, and ./glassbox installs them.
+# The compilers and libraries that Glassbox needs. All are Debian packages; ./glassbox installs them.
 set(oldest_GNU 11)
 set(oldest_Clang 14)
 set(oldest ${oldest_${CMAKE_CXX_COMPILER_ID}})
@@ -7,10 +7,10 @@ if(oldest AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS oldest)
     "it needs g++ 11 or clang++ 14, or newer.\nTo choose another: rm -r ${CMAKE_BINARY_DIR}; CXX=g++-12 ./glassbox")
 endif()
 
-# What is missing is told all at once, at the end.
+# Everything that is missing, reported once at the end.
 set(GLASSBOX_MISSING "")
 
-# A library that brings a CMake package, and the Debian package that it is in.
+# Finds a library that has a CMake package; `debian` is the Debian package that it is in.
 macro(glassbox_package name debian)
   find_package(${name} QUIET)
   if(NOT ${name}_FOUND)
@@ -18,7 +18,7 @@ macro(glassbox_package name debian)
   endif()
 endmacro()
 
-# A header-only library without a CMake package: a target for it, its headers found once.
+# Makes a target for a header-only library without a CMake package; looks for its headers only once.
 function(glassbox_header_library name header debian)
   find_path(GLASSBOX_${name}_DIR ${header} PATH_SUFFIXES ${name})
   if(NOT GLASSBOX_${name}_DIR)

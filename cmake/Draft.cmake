@@ -1,5 +1,6 @@
-# glassbox_draft(TARGET): what hardly runs is hardly optimised, which takes half of the time to compile: the command line, the
-# interface, the lessons' programs. With GLASSBOX_DRAFT not at all, in builds that are there to be checked and not to be fast.
+# glassbox_draft(TARGET): hardly optimises code that hardly runs, which halves its compile time: the command line, the
+# interface, the lessons' programs. With GLASSBOX_DRAFT it does not optimise at all, for builds that are meant for
+# checking and not for speed.
 option(GLASSBOX_DRAFT "Do not optimise what hardly runs" OFF)
 function(glassbox_draft target)
   if(GLASSBOX_DRAFT)

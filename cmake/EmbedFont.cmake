@@ -8,8 +8,8 @@ function(glassbox_find_font variable file)
     DOC "${file}, embedded in the program")
 endfunction()
 
-# glassbox_embed_font(source variable): that source file's GLASSBOX_EMBED (output/embed.hpp) takes in the font, under the name
-# of the variable; it is compiled again when the font changes.
+# glassbox_embed_font(source variable): GLASSBOX_EMBED (output/embed.hpp) in that source file includes the font, under
+# the name of the variable; the file is compiled again when the font changes.
 function(glassbox_embed_font source variable)
   set_source_files_properties(${source} PROPERTIES
     COMPILE_DEFINITIONS ${variable}="${${variable}}" OBJECT_DEPENDS "${${variable}}")

@@ -1,6 +1,6 @@
-# glassbox_embed_sources(source table root files…): the source file can include "<table>.inc", which takes in the text files
-# with GLASSBOX_EMBED (output/embed.hpp) and has the table embedded_<table> of them: a path from `root` on, and the text. The
-# source file is compiled again when one of them changes.
+# glassbox_embed_sources(source table root files…): the source file can include "<table>.inc", which embeds the text
+# files with GLASSBOX_EMBED (output/embed.hpp) and defines the table embedded_<table>: each file's path relative to
+# `root`, and its text. The source file is compiled again when one of them changes.
 function(glassbox_embed_sources source table root)
   set(embeds "// Written by cmake/EmbedSources.cmake.\n")
   set(rows "")

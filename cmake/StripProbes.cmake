@@ -1,10 +1,11 @@
-# The core and the tracing loop without their probes: what they would be if nobody had ever asked to look inside. Tests
-# and benchmarks compare with them: a silent probe should cost nothing.
+# The core and the tracing loop without their probes: what they would be if nothing could look inside. Tests and
+# benchmarks compare with them: a silent probe should cost nothing.
 #
 # As a script, copies one header and leaves out every statement `probe(told::…);`:
 #   cmake -D IN=… -D OUT=… -P StripProbes.cmake
-# Included, it makes the target core_without_probes, whose include directories are such copies of the first five stages and of
-# what render/search/plain_search.hpp needs, and behind these the source itself. They lie in a namespace of their own, so that one program can hold both.
+# Included, it makes the target core_without_probes, whose include directories hold such copies of the first five stages
+# and of what render/search/plain_search.hpp needs, followed by the source itself. The copies are in a namespace of
+# their own, so that one program can hold both.
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(READ ${IN} text)
   string(REGEX REPLACE "\n *probe\\(told::[^;]*\\);" "" text "${text}")

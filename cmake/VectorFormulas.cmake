@@ -1,6 +1,7 @@
-# The core's formulas for vectors. A template must stand among the code of one kind of vectors to be compiled for it, and
-# Highway compiles the engine's inner loops once for each kind: they include this copy each time, within a namespace of
-# their own. It is the core's headers without #pragma once, #include and namespace: no formula is written twice.
+# The core's formulas for vectors. Highway compiles the engine's inner loops once for each kind of vectors, and a
+# template is compiled for a kind only if it stands among that code: so the loops include this copy each time, in a
+# namespace of their own. It is the core's headers without #pragma once, #include and namespace: no formula is written
+# twice.
 #
 # As a script, copies the headers:
 #   cmake -D "HEADERS=…;…" -D OUT=… -P VectorFormulas.cmake

@@ -1,4 +1,4 @@
-# Whether the viewer is built, and the libraries that it alone stands on. Sets GLASSBOX_HAS_VIEWER, and with it the targets
+# Whether the viewer is built, and the libraries that only it needs. Sets GLASSBOX_HAS_VIEWER, and with it the targets
 # glassbox_imgui (Dear ImGui with its GLFW and OpenGL 3 backends) and glassbox_opengl.
 set(GLASSBOX_VIEWER AUTO CACHE STRING "Build the viewer: AUTO (where its libraries are found), ON or OFF")
 set_property(CACHE GLASSBOX_VIEWER PROPERTY STRINGS AUTO ON OFF)
@@ -12,12 +12,12 @@ find_package(glfw3 3.3 QUIET)
 if(NOT glfw3_FOUND)
   list(APPEND missing libglfw3-dev)
 endif()
-find_package(OpenGL QUIET OPTIONAL_COMPONENTS EGL)  # without EGL, what is drawn without a display needs a hidden window
+find_package(OpenGL QUIET OPTIONAL_COMPONENTS EGL)  # without EGL, drawing without a display needs a hidden window
 if(NOT OPENGL_FOUND)
   list(APPEND missing "libgl-dev or libopengl-dev")
 endif()
-# The system's Dear ImGui serves if it brings both backends. Else, when the viewer is asked for, a release is downloaded: not
-# with AUTO, for a download that fails would take the rest of the build with it.
+# Use the system's Dear ImGui if it has both backends. Otherwise, if the viewer is asked for, download a release: not
+# with AUTO, because a failed download would stop the rest of the build.
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
   pkg_check_modules(GLASSBOX_IMGUI QUIET IMPORTED_TARGET imgui>=1.86)
@@ -54,7 +54,7 @@ if(imgui STREQUAL "glassbox_imgui_release")
   FetchContent_Declare(imgui
     URL https://github.com/ocornut/imgui/archive/refs/tags/v1.92.5.tar.gz
     URL_HASH SHA256=0eb50fe9aeba1a51f96b5843c7f630a32ed2e9362d693c61b87e4fa870cf826d)
-  FetchContent_MakeAvailable(imgui)  # brings no CMakeLists.txt: only unpacks
+  FetchContent_MakeAvailable(imgui)  # has no CMakeLists.txt: this only unpacks it
   set(sources imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp)
   list(TRANSFORM sources PREPEND ${imgui_SOURCE_DIR}/)
   add_library(glassbox_imgui_release STATIC ${sources})
@@ -62,5 +62,5 @@ if(imgui STREQUAL "glassbox_imgui_release")
   target_link_libraries(glassbox_imgui_release PUBLIC glfw)
 endif()
 add_library(glassbox_imgui INTERFACE)
-# A static imgui does not say that its backends call GLFW, and looks for OpenGL's functions by itself.
+# A static imgui does not declare that its backends call GLFW, and finds OpenGL's functions by itself.
 target_link_libraries(glassbox_imgui INTERFACE ${imgui} glfw glassbox_opengl ${CMAKE_DL_LIBS})

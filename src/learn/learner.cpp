@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene of the case that is shown, or else of the first that fails and has one.
+/// Returns the scene of the case that is shown, or else of the first failing case that has one.
 std::optional<FailingScene> scene_to_look_at(const TestedLesson& tested) {
     std::vector<const CaseResult*> failed{tested.judgement.shown};
     for (const CaseResult& one : tested.run.cases) failed.push_back(&one);
@@ -73,7 +73,7 @@ TestedLesson Learner::test(const Exercise& exercise, const std::stop_token& stop
                            std::function<void(const TestRun&)> so_far) {
     make_starters(workspace_, exercise);
     for (const std::string& header : exercise.headers)
-        read_header(workspace_, exercise, header);  // complains if it must
+        read_header(workspace_, exercise, header);  // throws if it cannot be read
     tools();
     const auto start = std::chrono::steady_clock::now();
     TestRequest request{workspace_.headers_of(exercise), make_folder(workspace_.hidden() / exercise.name)};
@@ -82,7 +82,7 @@ TestedLesson Learner::test(const Exercise& exercise, const std::stop_token& stop
 
     TestedLesson tested;
     tested.run = run_tests(workspace_, exercise, tools(), request, stop);
-    if (tested.run.error && !is_there(*tools_)) {  // taken away in the middle of it
+    if (tested.run.error && !is_there(*tools_)) {  // deleted in the meantime
         make_folder(request.folder);
         tested.run = run_tests(workspace_, exercise, tools(), request, stop);
     }

@@ -13,7 +13,7 @@
 
 namespace glassbox::learn {
 
-/// What came of one test of a lesson.
+/// The result of one test of a lesson.
 struct TestedLesson {
     TestRun run;
     Judgement judgement;                       ///< points into `run` and the exercise
@@ -27,32 +27,33 @@ struct TestedLesson {
     TestedLesson& operator=(TestedLesson&&) = default;
 };
 
-/// A learner at work: where, and how far. What is remembered is written down at once.
+/// A learner at work: the workspace and the progress, which is saved at once.
 class Learner {
 public:
-    /// `say` is told what takes long, and what is wrong but need not stop anybody. What the learner wrote is compiled
-    /// and run isolated, if asked for.
+    /// Calls `say` with what takes long, and with what is wrong but need not stop the work. With `is_isolated`, what
+    /// the learner wrote is compiled and run isolated.
     Learner(Workspace workspace, std::function<void(const std::string&)> say, bool is_isolated = false);
 
     const Workspace& workspace() const { return workspace_; }
     const Toolchain& tools();
     const LessonProgress& progress(const Exercise& exercise) { return remembered(exercise); }
 
-    /// The lesson that is asked for, by number or name; of "" the first that has not been passed, or the last.
+    /// Returns the lesson with this number or name; for "" the first that has not been passed, or the last.
     const Exercise& lesson(const std::string& name = "");
 
-    /// Whether the learner's headers are what was tested last.
+    /// Whether the learner's headers are those that were tested last.
     bool is_tested(const Exercise& exercise);
 
-    /// Tests a lesson; its starters are made if they are not there. `so_far` is told what can be said already, if the
-    /// rest takes longer. Throws Error.
+    /// Tests a lesson; makes its starters if they do not exist. Calls `so_far` with what is known already, if the rest
+    /// takes longer. Throws Error.
     TestedLesson test(const Exercise& exercise, const std::stop_token& stop = {},
                       std::function<void(const TestRun&)> so_far = {});
 
-    /// The function that a hint would be for: open_function() of the headers as they are now; null if all have passed.
+    /// Returns the function that a hint would be for: open_function() of the present headers; null if all have passed.
     const Function* next_function(const Exercise& exercise, const std::stop_token& stop = {});
 
-    /// The next hint for a function, from 1 to 3; it is remembered. The last one stays the last.
+    /// Returns the next hint for a function, from 1 to 3, and remembers it. After the last one it returns the last
+    /// again.
     int next_hint(const Exercise& exercise, const Function& function);
 
     void remember_giving_up(const Exercise& exercise);
@@ -75,11 +76,11 @@ private:
 /// How a function stands, as it is remembered.
 State state_of(const Function& function, const LessonProgress& progress);
 
-/// The function to be written or mended next: the first that has not passed, before those that wait for another. Null
-/// if all have passed.
+/// Returns the function to write or correct next: the first that has not passed; those that wait for another come last.
+/// Null if all have passed.
 const Function* open_function(const Exercise& exercise, const LessonProgress& progress);
 
-/// What the headers of a lesson are, so that a change is noticed.
+/// Returns a fingerprint of a lesson's headers, to notice changes.
 std::string fingerprint_of(const Workspace& workspace, const Exercise& exercise);
 
 }  // namespace glassbox::learn

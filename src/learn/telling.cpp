@@ -59,7 +59,7 @@ std::string indented(std::string_view text, std::string_view by) {
     return result;
 }
 
-/// "expected   5": a row of what a failed case tells; nothing if there is nothing to tell.
+/// A row of what a failed case reports, such as "expected   5"; empty if there is nothing to report.
 std::string row(std::string_view name, std::string_view value, const Paint& paint) {
     return value.empty() ? "" : fmt::format("  {} {}\n", paint.faint(fmt::format("{:<9}", name)), value);
 }

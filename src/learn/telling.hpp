@@ -6,7 +6,7 @@
 
 namespace glassbox::learn {
 
-/// How text is set for a terminal; without one, as it is.
+/// How text is styled for a terminal; plain elsewhere.
 struct Paint {
     bool colours = false;
 
@@ -19,24 +19,24 @@ private:
     std::string set(std::string_view code, std::string_view text) const;
 };
 
-/// The command line that does something, as it must be typed here: "./glassbox learn test 2".
+/// Returns the command line to type here, such as "./glassbox learn test 2".
 std::string command_line(const Workspace& workspace, std::string_view words);
 
-/// All lessons with a bar each, the present one's functions, and what to do next.
+/// All lessons with a bar each, the present lesson's functions, and what to do next.
 std::string status_text(Learner& learner, const Paint& paint);
 
-/// Of all that is wrong the first thing, in lines: where it does not compile, or the failed test to look at.
+/// The first of all that is wrong, in lines: where it does not compile, or the failed test to look at.
 std::string first_wrong_text(const Workspace& workspace, const Exercise& exercise, const TestRun& run,
                              const Judgement& judgement, const Paint& paint);
 
-/// That all passes in the scalars that were tested so far: a line.
+/// A line that says that all passes in the scalars tested so far.
 std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint);
 
-/// What came of a test, and of what is wrong one thing only.
+/// The result of a test; of what is wrong only the first thing.
 std::string tested_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint);
 
-/// How far what a test got is from what it expected, in ulps, where that tells of rounding; "" where another number
-/// came out: one of another sign, or a million ulps and more away.
+/// How far what a test got is from what it expected, in ulps, where that is about rounding; "" where it is simply
+/// another number: one of another sign, or a million ulps or more away.
 std::string ulps_text(const Failure& failure);
 
 /// What is wrong with a program that does not compile.

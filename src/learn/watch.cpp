@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 constexpr auto between_looks = 80ms;
-constexpr auto to_settle = 30ms;  // an editor that writes in several steps is quicker than that
+constexpr auto to_settle = 30ms;  // an editor that writes in several steps is faster than that
 
 /// Times and sizes of the headers.
 std::string states_in(const fs::path& folder) {
@@ -23,7 +23,7 @@ std::string states_in(const fs::path& folder) {
     return state;
 }
 
-/// False if it was asked to stop in the meantime.
+/// Returns false if asked to stop in the meantime.
 bool sleep(std::chrono::milliseconds time, const std::stop_token& stop) {
     std::mutex mutex;
     std::unique_lock lock(mutex);

@@ -6,14 +6,14 @@
 
 namespace glassbox::learn {
 
-/// Looks at the headers in a folder, at their times and sizes and, if those have changed, at what is in them: this
-/// works on network and virtual file systems, too.
+/// Watches the headers in a folder: their times and sizes and, if those have changed, their contents. This works on
+/// network and virtual file systems, too.
 class Watch {
 public:
     explicit Watch(std::filesystem::path folder);
 
-    /// Waits until what is in the headers has changed since it was last asked, and does not change any more for a
-    /// moment: editors empty a file, or take it away, before they write it. False if it was asked to stop.
+    /// Waits until the contents of the headers have changed since the last call and do not change any more for a
+    /// moment: editors empty or delete a file before they write it. Returns false if asked to stop.
     bool wait(const std::stop_token& stop);
 
 private:

@@ -29,7 +29,7 @@ function wrong(what) {
     failed = 1
 }
 
-# Whether <name> is a header of the standard library: those have neither a folder nor an ending.
+# Whether <name> is a header of the standard library: those have neither a folder nor an extension.
 function is_standard(name) { return name ~ /^[a-z_0-9]+$/ }
 
 # What stage N may include: the standard library, and the core's headers of the stages up to N.

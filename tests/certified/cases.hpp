@@ -13,7 +13,7 @@
 #include "../numerics/doubles.hpp"
 #include "scene/scene.hpp"
 
-/// Scenes and rays made to be hard: the same ones on every machine.
+/// Scenes and rays that are hard to decide: the same ones on every machine.
 namespace glassbox::test {
 
 using Point = Vec3<double>;
@@ -25,7 +25,7 @@ struct Case {
     std::vector<Ray<double>> rays;
 };
 
-/// Fewer rays where everything is checked at every step.
+/// Fewer rays in checked builds, where everything is checked at every step.
 #ifdef NDEBUG
 constexpr int share = 1;
 #else
@@ -63,7 +63,7 @@ public:
         return shape;
     }
 
-    /// An octahedron, each face split into four again and again, blown up to a sphere.
+    /// An octahedron, each face split into four again and again, projected onto a sphere.
     static Shape globe(int splits) {
         Shape shape{"globe",
                     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
@@ -177,7 +177,7 @@ public:
         }
     }
 
-    /// Puts rays that are none between the others.
+    /// Makes some of the rays invalid.
     void spoil(std::vector<Ray<double>>& rays) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
         for (std::size_t i = 50; i < rays.size(); i += 97) {
@@ -361,7 +361,7 @@ inline std::vector<Case> slivers() {
     return cases;
 }
 
-/// Spheres far, grazed, huge and tiny; starts inside, on the surface, and beyond.
+/// Spheres far, grazed, huge and tiny; rays that start inside, on the surface, and beyond.
 inline std::vector<Case> spheres() {
     std::vector<Case> cases;
     Rays rays(500);
@@ -390,7 +390,7 @@ inline std::vector<Case> spheres() {
         const Point centre = away * odd_direction;
         c.scene.spheres = {sphere(centre, r), sphere({0, 0, away}, r)};
         for (int i = 0; i < 2000 / share; ++i) {
-            // Towards the centre, off it by so much that the ray grazes.
+            // Towards the centre, but off it by so much that the ray grazes.
             const Point across = unit(cross(odd_direction, rays.anywhere()));
             const double by =
                 i % 3 == 0 ? r * 1.2 * rays.random.fraction() : r * (1 + (rays.random.fraction() - 0.5) * 0x1p-40);
@@ -400,7 +400,7 @@ inline std::vector<Case> spheres() {
             // Along z, tangent to the second sphere exactly, and an ulp or two off it.
             c.rays.push_back({{nudged(r, static_cast<int>(i % 5) - 2), 0, i % 2 == 0 ? 0 : 3 * away},
                               {0, i % 7 == 0 ? 0x1p-1000 : 0, i % 11 == 0 ? -1.0 : 1.0}});
-            // From inside, or near enough; straight to the centre.
+            // From inside, or close to it; straight to the centre.
             c.rays.push_back({centre + r * rays.random.fraction() * rays.anywhere(), r * rays.anywhere()});
             if (i % 16 == 0) c.rays.push_back({{0, 0, 0}, centre});
         }
@@ -457,7 +457,7 @@ inline std::vector<Case> magnitudes() {
     return cases;
 }
 
-/// All sizes in one scene, and one ray after another that only one of them is made for.
+/// All sizes in one scene, and in turn rays that only one of them is made for.
 inline Case all_sizes() {
     Case c{"all sizes in one scene", {}, {}};
     Rays rays(700);
@@ -478,7 +478,7 @@ inline Case all_sizes() {
     return c;
 }
 
-/// Nothing special: triangles and spheres of about size 1 thrown into a box, rays from anywhere to anywhere.
+/// Nothing special: triangles and spheres of about size 1 in random places in a box, rays from anywhere to anywhere.
 inline Case anything() {
     Case c{"triangles and spheres in a box", {}, {}};
     Rays rays(800);

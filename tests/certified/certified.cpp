@@ -1,5 +1,5 @@
-// What certified and exact shooting answer, against whole numbers: no wrong verdict, surface or count; every t within
-// its bound; and the bounds honest.
+// Compares the answers of certified and exact shooting with integer arithmetic: no wrong verdict, surface or count;
+// every t within its bound; and bounds that hold.
 #include <doctest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ std::string shown(const Shot& shot) {
     return out.str();
 }
 
-/// What many shots got wrong, and how good their t are.
+/// What many shots got wrong, and how accurate their t are.
 struct Tally {
     int rays = 0, hits = 0, exactly = 0;
     int wrong_verdicts = 0, wrong_surfaces = 0, wrong_counts = 0, broken_bounds = 0;
@@ -71,12 +71,12 @@ struct Tally {
     }
 };
 
-/// The size of t that a double can hold with all its digits.
+/// Whether a double can hold a t of this size with all its digits.
 bool is_ordinary(long double t) {
     return t > std::numeric_limits<double>::min() && t < std::numeric_limits<double>::max();
 }
 
-/// Judges one shot; false if anything is wrong. `proven` shots know their error.
+/// Judges one shot; returns false if anything is wrong. `proven` shots know their error.
 bool judge(Tally& tally, const Oracle& oracle, const Ray<double>& ray, const Answer& truth, const Shot& shot,
            bool proven) {
     const int before = tally.wrong() + tally.broken_bounds;
@@ -116,7 +116,7 @@ Options in(Scalar scalar, const SphereRule& rule = Stable{}) {
     return options;
 }
 
-/// All that was asked about one set of cases.
+/// The results of all requests about one set of cases.
 struct Results {
     Tally certified, one_by_one, textbook, exact, plain;
 
@@ -133,7 +133,7 @@ struct Results {
                 const Shot shot = shoot_in(c, options, {&ray, 1}).at(0);
                 told(c, oracle, ray, truth, shot, judge(tally, oracle, ray, truth, shot, true));
             };
-            // A filter that need only cover this one ray is the sharpest.
+            // A filter that covers only this one ray is the tightest.
             if (i % 8 == 3) alone(one_by_one, in(Scalar::certified));
             if (i % 32 == 5) alone(exact, in(Scalar::exact));
             if (i % 16 == 7 && !c.scene.spheres.empty()) alone(textbook, in(Scalar::certified, Textbook{}));
@@ -151,7 +151,7 @@ private:
     }
 };
 
-/// Checks all that is promised; how much plain double gets wrong of it.
+/// Checks all that is promised; returns how many answers plain double gets wrong.
 int check(const std::vector<Case>& cases) {
     Results results;
     for (const Case& c : cases) results.add(c);
@@ -175,7 +175,7 @@ int check(const std::vector<Case>& cases) {
     return plain.wrong();
 }
 
-/// The same for cases that are hard: if plain double got them right, they would prove nothing.
+/// The same for hard cases: if plain double got them right, they would prove nothing.
 void check_hard(const std::vector<Case>& cases) { CHECK(check(cases) > 0); }
 
 }  // namespace

@@ -21,7 +21,7 @@ int lost_rays(int count) {
         const Ray<float> ray{P, A + along * (B - A) - P};
         const bool met = Pluecker{}(ray, Triangle<float>{A, B, C}, silent).met ||
                          Pluecker{}(ray, Triangle<float>{B, A, E}, silent).met;
-        // Behind the start, or seen nearly edge-on, there is nothing to meet for sure.
+        // Behind the start, or seen nearly edge-on, a hit is not certain.
         const Vec3<float> n = cross(B - A, C - A);
         const float slant = dot(n, ray.D);
         const bool is_clear = slant * slant > 0.01f * dot(n, n) * dot(ray.D, ray.D) && dot(n, n) > 0.01f;

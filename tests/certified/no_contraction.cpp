@@ -1,4 +1,4 @@
-// As Glassbox is compiled, each operation rounded as written, no ray slips between two triangles.
+// With Glassbox's flags, each operation rounded as written, no ray slips between two triangles.
 #include <doctest.h>
 
 #include "lost_rays.hpp"

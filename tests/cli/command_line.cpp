@@ -1,4 +1,5 @@
-// Command lines: what is wrong with a bad one is said in a line, with exit status 2, and nothing is written.
+// Command lines: a bad one is rejected with one line that says what is wrong, with exit status 2, and nothing is
+// written.
 #include <doctest.h>
 
 #include <cstdlib>
@@ -21,7 +22,7 @@ void check_all(const std::vector<Bad>& lines) {
     for (const auto& [arguments, parts] : lines) check_refused(folder, arguments, 2, parts);
 }
 
-/// `render s.toml` with more.
+/// `render s.toml` with more arguments.
 Arguments render(const Arguments& more) {
     Arguments all{"render", "s.toml"};
     all.insert(all.end(), more.begin(), more.end());

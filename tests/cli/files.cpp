@@ -1,4 +1,4 @@
-// Files that cannot be read or written: status 1, one line with the place, and nothing written, nothing lost.
+// Files that cannot be read or written: exit status 1, one line with the place, and nothing written, nothing lost.
 #include <doctest.h>
 #include <unistd.h>
 
@@ -23,7 +23,7 @@ struct Workplace : Folder {
     }
 };
 
-/// Checks `shoot` with rays that read so.
+/// Checks that `shoot` refuses rays with this text.
 void check_rays_refused(const std::string& rays, const std::vector<std::string>& parts) {
     const Workplace folder;
     write(folder / "bad.csv", rays);
@@ -32,7 +32,7 @@ void check_rays_refused(const std::string& rays, const std::vector<std::string>&
     check_refused(folder, {"shoot", "s.toml", "--rays", "bad.csv"}, 1, parts);
 }
 
-/// Checks `shoot` with rays whose second line reads so.
+/// Checks that `shoot` refuses rays whose second line is this.
 void check_row_refused(const std::string& row, const std::vector<std::string>& parts) {
     check_rays_refused(std::string(header) + "\n" + row + "\n", parts);
 }

@@ -1,4 +1,4 @@
-// What a library that was linked with -ffast-math does to every program that loads it.
+// What a library linked with -ffast-math does to every program that loads it.
 #include <xmmintrin.h>
 
 namespace {

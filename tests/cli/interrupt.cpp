@@ -1,5 +1,5 @@
-// Ctrl-C, and all else that ends a program: it ends at once, with status 130 where it may still say so, and leaves its
-// folder as it was.
+// Ctrl-C and everything else that ends a program: it ends at once, with exit status 130 where it still can, and leaves
+// its folder as it was.
 #include <doctest.h>
 #include <sys/resource.h>
 
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Runs that, sends the signal after each of these times, and checks that nothing is left but the files named.
+/// Runs the program, sends the signal after each of these times, and checks that only the named files are left.
 void check_interrupted(const Folder& folder, const Arguments& arguments, const std::vector<milliseconds>& times,
                        int signal = SIGINT) {
     const std::ptrdiff_t before = folder.entries();
@@ -20,7 +20,7 @@ void check_interrupted(const Folder& folder, const Arguments& arguments, const s
         const Ran ran = run_glassbox(arguments, {.folder = folder.path, .signal_at = time, .signal = signal});
         CHECK(ran.status == 130);
         CHECK(ran.err.ends_with("glassbox: interrupted; no half-written file is left\n"));
-        CHECK(ran.seconds < 4);  // 0.1 where nothing else runs; else the work alone takes several times that
+        CHECK(ran.seconds < 4);  // 0.1 on an idle machine; uninterrupted, the work alone takes several times that
         CHECK(folder.entries() == before);
     }
 }
@@ -80,14 +80,14 @@ TEST_CASE("killed while writing, when nothing can be said or done: not even then
     if (!can_make_nameless_files(folder.path)) return;
     write(folder / "s.toml", "");
     write(folder / "m.csv", "of an earlier run");
-    // Some of these times lie in tracing, some in writing 12 million lines, which takes as long, on a slow machine or a
-    // fast one.
+    // Some of these times fall into tracing, some into writing 12 million lines, which takes as long, on slow and fast
+    // machines.
     const Arguments measure{"measure", "s.toml", "--what", "hits", "--size", "4000x3000", "-o", "m.csv"};
     for (const milliseconds time : {300ms, 600ms, 900ms, 1200ms, 1600ms, 2000ms}) {
         CAPTURE(time.count());
         const Ran ran = run_glassbox(measure, {.folder = folder.path, .signal_at = time, .signal = SIGKILL});
         CHECK(folder.entries() == 2);
-        if (ran.status == 0) break;  // it had ended before
+        if (ran.status == 0) break;  // it had ended before the signal
         CHECK(ran.status == 128 + SIGKILL);
         CHECK(content(folder / "m.csv") == "of an earlier run");
     }
@@ -110,7 +110,7 @@ TEST_CASE("a limit on the size of files is an error of writing") {
 
 TEST_CASE("the soft limit on processor time is said to be reached") {
     const Folder folder;
-    const auto ours = std::signal(SIGXCPU, SIG_IGN);  // this test's own time counts, too
+    const auto ours = std::signal(SIGXCPU, SIG_IGN);  // the limit covers this test's own time, too
     const Limit limit(RLIMIT_CPU, 1);
     const Ran ran = run_glassbox({"render", "room", "--size", "8000x6000", "-o", "o.png"}, {.folder = folder.path});
     CHECK(ran.status == 1);

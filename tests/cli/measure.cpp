@@ -1,4 +1,4 @@
-// `glassbox measure`: the numbers behind a picture, in the formats that can be asked for.
+// `glassbox measure`: the numbers behind a picture, in all its formats.
 #include <doctest.h>
 
 #include "cli/program.hpp"
@@ -26,8 +26,8 @@ TEST_CASE("CSV: a header, then a row a pixel from the top left, empty where ther
     CHECK(ran.status == 0);
     CHECK(ran.out == "");
     CHECK(ran.err == "");
-    // The middle ray meets the ball 499 before its start, the four tangent ones at 500, where the ball's middle is:
-    // there the normal points away from the middle.
+    // The middle ray meets the ball 499 from its start, the four tangent ones at 500, level with the ball's centre:
+    // there the normal points away from the centre.
     CHECK(content(folder / "m.csv") ==
           "x,y,hits,depth,normal.x,normal.y,normal.z\n"
           "0,0,0,,,,\n"
@@ -55,7 +55,7 @@ TEST_CASE("pictures with legends, and EXR") {
         CHECK(ran.err == "");
         CHECK(content(folder / name).starts_with(start));
     }
-    const std::string exr = content(folder / "m.exr");  // a layer each, by name
+    const std::string exr = content(folder / "m.exr");  // one layer for each, by name
     for (const char* layer : {"depth", "n.l", "hits"}) CHECK(exr.find(std::string(layer) + '\0') != std::string::npos);
     CHECK(folder.entries() == 5);
 }

@@ -27,7 +27,7 @@ void succeed(int error, const char* what) {
     if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// A file without a name that takes what the program prints, however much it is.
+/// A file without a name that takes all that the program prints, however much.
 class Capture {
 public:
     Capture() : file_(std::tmpfile(), &std::fclose) {
@@ -73,7 +73,7 @@ private:
     posix_spawn_file_actions_t actions_;
 };
 
-/// Signals as a terminal's shell sets them, whatever this test was started from.
+/// Default signal handling, as in a terminal's shell, whatever this test was started from.
 class UsualSignals {
 public:
     UsualSignals() {

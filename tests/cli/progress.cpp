@@ -1,4 +1,4 @@
-// Progress: a bar on a terminal, erased at the end; plain lines elsewhere; nothing for work that is soon done.
+// Progress: a bar on a terminal, erased at the end; plain lines elsewhere; nothing for short work.
 #include <doctest.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -16,7 +16,7 @@ namespace {
 
 const Arguments long_work{"render", "room", "--size", "8000x6000", "-o", "o.png"};
 
-/// A terminal: what is written to `name` can be read here.
+/// A pseudo-terminal: what is written to `name` can be read here.
 class Terminal {
 public:
     Terminal() : descriptor_(::posix_openpt(O_RDWR | O_NOCTTY)) {
@@ -34,7 +34,7 @@ public:
 
     const char* name() const { return name_.c_str(); }
 
-    /// All that was written to it and not yet read.
+    /// All that was written to it and is not read yet.
     std::string text() const {
         std::string text;
         pollfd ready{descriptor_, POLLIN, 0};

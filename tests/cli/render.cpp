@@ -1,4 +1,4 @@
-// `glassbox render`: the picture is right, and it is where it should be.
+// `glassbox render`: the picture is right, and is written to the right file.
 #include <doctest.h>
 
 #include "cli/program.hpp"
@@ -21,11 +21,11 @@ std::string tiny_ppm() {
     return ppm;
 }
 
-/// In an empty folder but for s.toml.
+/// A folder with only s.toml.
 struct Workplace : Folder {
     Workplace() { write(*this / "s.toml", tiny_scene); }
 
-    /// Renders there; succeeds, and says nothing but what is returned.
+    /// Renders there; succeeds, and prints only what is returned.
     std::string render(const Arguments& more) const {
         Arguments arguments{"render"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -98,7 +98,7 @@ TEST_CASE("the scenes that come with Glassbox are known by name anywhere, a file
     write(folder / "sphere.toml", tiny_scene);
     folder.render({"sphere.toml", "-o", "o.ppm"});
     CHECK(content(folder / "o.ppm").starts_with("P6\n4 3\n"));
-    fs::create_directory(folder / "triangle");  // is in nobody's way
+    fs::create_directory(folder / "triangle");  // does not hide the scene of that name
     folder.render({"triangle", "--size", "5x5", "-o", "o.ppm"});
 }
 

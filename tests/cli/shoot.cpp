@@ -12,8 +12,8 @@ namespace {
 constexpr const char* rays_header = "ox,oy,oz,dx,dy,dz\n";
 constexpr const char* hits_header = "ray,verdict,surface,t,t_error,decided,hits\n";
 
-/// A unit ball (surface 0), a triangle at z = −5 (1), and a square of two faces at z = −7, cut along y = x (2: below,
-/// 3).
+/// A unit ball (surface 0), a triangle at z = −5 (1), and a square of two faces at z = −7, cut along y = x (2, the
+/// lower one, and 3).
 struct Workplace : Folder {
     Workplace() {
         write(*this / "s.toml",
@@ -23,7 +23,7 @@ struct Workplace : Folder {
         write(*this / "square.obj", "v 0 0 -7\nv 4 0 -7\nv 4 4 -7\nv 0 4 -7\nf 1 2 3 4\n");
     }
 
-    /// The hits of these rays, their header taken off, in plain double.
+    /// Returns the hits of these rays, without the header, in plain double.
     std::string shoot(const std::string& rays, const Arguments& more = {}) const {
         write(*this / "r.csv", rays);
         Arguments arguments{"shoot", "s.toml", "--rays", "r.csv", "--scalar", "double"};
@@ -35,7 +35,7 @@ struct Workplace : Folder {
         return ran.out.substr(std::string(hits_header).size());
     }
 
-    /// The same, of a single row.
+    /// The same, for a single row.
     std::string shoot_row(const std::string& row) const { return shoot(rays_header + row + "\n"); }
 };
 
@@ -102,7 +102,7 @@ TEST_CASE("t reads back as the number that was computed, in each scalar") {
 TEST_CASE("from stdin, into a file, and at the end of what stdout holds already") {
     const Workplace folder;
     const std::string rays = write(folder / "r.csv", std::string(rays_header) + "9,9,9,0,0,-1\n").string();
-    // The default scalar is certified: a miss is decided, too, and far from the square bounds are enough for that.
+    // The default scalar is certified: a miss is proven, too, and far from the square bounds are enough for that.
     const std::string miss = std::string(hits_header) + "0,miss,,,,filter,0\n";
     const Arguments from_stdin{"shoot", "s.toml", "--rays", "/dev/stdin"};
     CHECK(run_glassbox(from_stdin, {.folder = folder.path, .in = rays.c_str()}).out == miss);

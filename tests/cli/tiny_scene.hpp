@@ -2,9 +2,9 @@
 
 namespace glassbox::test {
 
-/// Four pixels wide, three high; a red ball of radius 1 whose middle lies 500 before the pixel in column 1 and row 1
-/// from below. The ray of column j and row i starts in (500, j, i) and runs towards −x, so it meets the ball where
-/// (j − 1)² + (i − 1)² <= 1: a cross of five pixels, four of them tangent.
+/// Four pixels wide, three high; a red ball of radius 1 whose centre is 500 from the start of the ray in column 1 and
+/// row 1 from below. The ray of column j and row i starts in (500, j, i) and runs towards −x, so it meets the ball
+/// where (j − 1)² + (i − 1)² <= 1: a cross of five pixels, four of them tangent.
 inline constexpr const char* tiny_scene = R"(
 [image]
 width = 4

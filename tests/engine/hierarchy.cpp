@@ -1,4 +1,4 @@
-// The hierarchy: each surface in one leaf, each box around all below it, the same with any number of threads.
+// The hierarchy: each surface in one leaf, each box around everything below it, identical for any number of threads.
 #include "engine/hierarchy.hpp"
 
 #include <doctest.h>
@@ -30,15 +30,15 @@ Surfaces<double> many(std::size_t count) {
     return all;
 }
 
-/// Is v − middle, never rounded, between two floats? Their sum with the middle is compared exactly, as v − (middle + f)
-/// is rounded correctly and so has the right sign where middle + f is exact; the long double keeps 11 bits more.
+/// Whether v − middle, never rounded, lies between two floats. Compares their sum with the middle exactly: v − (middle
+/// + f) is rounded correctly, so it has the right sign where middle + f is exact; the long double keeps 11 bits more.
 bool between(double lo, double hi, double middle, float box_lo, float box_hi) {
     const long double m = middle;
     return static_cast<long double>(lo) - m >= static_cast<long double>(box_lo) &&
            static_cast<long double>(hi) - m <= static_cast<long double>(box_hi);
 }
 
-/// Counts leaves' surfaces, and what lies outside of the boxes above it.
+/// Counts the surfaces of leaves, and those that lie outside the boxes above them.
 struct Inspection {
     const Engine& engine;
     std::vector<int> seen;

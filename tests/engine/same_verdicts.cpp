@@ -1,4 +1,4 @@
-// The engine against the plain certified loop: the same verdict, surface, t and number of hits for every ray.
+// The engine against the plain certified loop: for every ray the same verdict, surface, t and number of hits.
 #include <doctest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ bool same(const Shot& one, const Shot& other) {
            one.t_error == other.t_error;
 }
 
-/// How many rays the engine answers otherwise.
+/// Returns for how many rays the engine's answer differs.
 int differences(const Case& c) {
     int count = 0;
     const auto differs = [&](const Ray<double>& ray, const std::string& expected, const std::string& got) {
@@ -58,7 +58,7 @@ int differences(const Case& c) {
     for (std::size_t i = 0; i < c.rays.size(); ++i) {
         const Ray<double>& ray = c.rays[i];
         if (!same(plain[i], fast[i])) differs(ray, shown(plain[i]), shown(fast[i]));
-        // What bounds decide in the plain loop the engine need not ask exact arithmetic.
+        // The engine must not need exact arithmetic where bounds decide in the plain loop.
         if (plain[i].by_filter && !fast[i].by_filter) differs(ray, "decided by bounds", "decided exactly");
         const auto hit = nearest_only.trace(ray, silent);
         if (hit.has_value() != (plain[i].answer == Verdict::hit)) differs(ray, shown(plain[i]), hit ? "hit" : "miss");
@@ -68,7 +68,7 @@ int differences(const Case& c) {
     return count;
 }
 
-/// The plain loop is slow, and there are many cases: only every so-manieth ray is tried.
+/// The plain loop is slow, and there are many cases: tests only one ray in `step`.
 int differences(std::vector<Case> cases, std::size_t step) {
     int count = 0;
     for (Case& c : cases) {
@@ -116,7 +116,7 @@ TEST_CASE("rays along the axes, in the faces of boxes and past them") {
                     P[(axis + 2) % 3] = j * 0.5;
                     D[axis] = sign;
                     c.rays.push_back({{P[0], P[1], P[2]}, {D[0], D[1], D[2]}});
-                    D[(axis + 1) % 3] = 0x1p-70;  // hardly at all
+                    D[(axis + 1) % 3] = 0x1p-70;  // almost 0
                     c.rays.push_back({{P[0], P[1], P[2]}, {D[0], D[1], D[2]}});
                 }
     CHECK(differences(c) == 0);

@@ -1,4 +1,4 @@
-// Tiles of rays against rays traced one by one: what is told is true, and nearly all is told.
+// Tiles of rays against rays traced one by one: what a tile decides is right, and it decides nearly everything.
 #include <doctest.h>
 #include <hwy/targets.h>
 
@@ -24,8 +24,8 @@ struct Counts {
     int pixels = 0, told = 0, hits = 0;
 };
 
-/// Checks every pixel of a scene's picture. Where doubles hardly tell the pixels apart, each ray's D is rounded by a
-/// percent or more, and so is its t, which counts in |D|.
+/// Checks every pixel of a scene's picture. Where doubles can hardly tell the pixels apart, each ray's D is rounded by
+/// a percent or more, and so is its t, which is in units of |D|.
 Counts check(const std::string& name, const Scene& scene, bool pixels_apart = true) {
     CAPTURE(name);
     const View seen = view(scene, {});
@@ -83,7 +83,8 @@ TEST_CASE("meshes at all scales and distances from the origin") {
                 const std::string name = there.name + " of size 1e" + std::to_string(magnitude);
                 const Scene scene = test::scene_of(there);
                 const Point eye = middle + 3 * scale * unit(rays.anywhere());
-                // A pinhole's plane lies at distance 1: that far from the origin doubles hardly tell its pixels apart.
+                // A pinhole's plane is at distance 1: that far from the origin doubles can hardly tell its pixels
+                // apart.
                 const bool apart = (3 + away) * scale <= 1e9;
                 const Counts pinhole = check(name, looked_at(scene, eye, middle, size), apart);
                 const Counts parallel = check(name, from_above(scene, middle, unit(rays.anywhere()), 3 * scale, size));
@@ -103,7 +104,7 @@ TEST_CASE("along the axes: faces seen edge-on, rays in the faces of boxes") {
     flat.view = ParallelView{{-2, -2, 5}, {0.25, 0, 0}, {0, 0.25, 0}, {0, 0, -1}};
     flat.width = flat.height = 17;
     const Counts counts = check("cube, whole numbers", flat);
-    CHECK(counts.told < counts.pixels);  // an edge's rays cannot be told in floats
+    CHECK(counts.told < counts.pixels);  // floats cannot decide the rays on an edge
 }
 
 TEST_CASE("from inside, and close by") {
@@ -132,8 +133,8 @@ TEST_CASE("spheres and triangles that cross, touch and hide each other") {
     }
 }
 
-// The ground runs away from a tile's rays, so that all of them have met it when the boxes of what stands just before
-// its far end are still to be opened.
+// The ground runs away from a tile's rays, so that all of them have met it before the boxes of the things just before
+// its far end are opened.
 TEST_CASE("small things just before what is far off") {
     Rays rays(5);
     Scene ground;
@@ -157,7 +158,7 @@ TEST_CASE("small things just before what is far off") {
                                          middle + radius * rays.anywhere()}},
                                        {}});
         }
-        // Within a tile t grows a hundredfold; in floats it is right to the digits of the least.
+        // Within a tile t grows a hundredfold; in floats it is accurate to the digits of the smallest.
         const Counts counts = check("ground", scene, false);
         CHECK(counts.told > counts.pixels / 2);
     }
@@ -201,7 +202,7 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
         for (const Scene& scene : scenes) {
             const Counts counts = check(engine::vectors_used(), scene);
             CHECK(counts.told > counts.pixels * 9 / 10);
-            // Ray by ray, with the same vectors.
+            // Ray by ray, with the same kind of vectors.
             const View seen = view(scene, {});
             const CertifiedSearch truth(surfaces<double>(scene, 5), {}, {}, reach(seen, scene.width, scene.height),
                                         false);

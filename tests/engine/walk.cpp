@@ -1,4 +1,4 @@
-// Lesson 7's walk through its tree, the engine and the plain loop: three ways to the same surface.
+// Lesson 7's walk through its tree, the engine and the plain loop all find the same surface.
 #include <walk.hpp>
 
 #include <doctest.h>
@@ -83,7 +83,7 @@ TEST_CASE("the walk of lesson 7 meets what the engine meets, and the plain loop"
         if (walked && plain) CHECK(walked->t == plain->t);
         met += walked.has_value();
     }
-    CHECK(met > rays / 20);  // there is something to be met
+    CHECK(met > rays / 20);  // there is something to meet
     // 2100 surfaces: a few of them, and of their 4000 or so boxes a few dozen
     CHECK(tested / rays < 2100.0 / 100);
     CHECK(counting.boxes / rays < 2100.0 / 20);

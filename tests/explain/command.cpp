@@ -1,4 +1,4 @@
-// `glassbox explain`, run as its users run it.
+// `glassbox explain`, run as users run it.
 #include <doctest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ TEST_CASE("the command in a story tells the same story again") {
 
 TEST_CASE("a title, a file's name and what they hold do not command the terminal") {
     const Folder folder;
-    // Escape and a colour, a C1 code, a right-to-left override, a line of its own, and in the name a byte of Latin-1.
+    // Escape and a colour, a C1 code, a right-to-left override, a newline, and in the name a byte of Latin-1.
     const std::string scene = std::string("title = \"a\\u001b[31mb\\u009b31mc\\u202Ed\\ne\"\n") + tiny_scene;
     const std::string name = "a\x1b[31m'b\xe9.toml";
     write(folder / name, scene);

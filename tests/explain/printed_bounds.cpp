@@ -1,7 +1,7 @@
-// Every ± that `explain` prints, in the text and in the JSON, for all shipped scenes in all scalars, held against the
-// truth. The truth is found here, apart from the program's own: in binary floats of 2048 bits, side products, Δ and t
-// from the formulas, the rest by doing the JSON's steps again. Products of three doubles of a scene's size need no more
-// bits than that, so that what truly is 0 comes out as 0; quotients and roots are off by some 2^-2048 of themselves.
+// Compares every ± that `explain` prints, in the text and in the JSON, for all shipped scenes in all scalars, with the
+// truth. The truth is computed here, independently of the program: in binary floats of 2048 bits, side products, Δ and
+// t from the formulas, the rest by repeating the JSON's steps. Products of three doubles of a scene's size need no more
+// bits than that, so that a true 0 comes out as 0; quotients and roots are off by some 2^-2048 of themselves.
 #include <doctest.h>
 
 #include <array>
@@ -31,8 +31,8 @@ using Real = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 using Vector = std::array<Real, 3>;
 
-/// What rounding may leave in 2048 bits, after steps that cancel and numbers of up to 1e100, of what truly is 0. Every
-/// bound of doubles is far above it, or 0.
+/// What rounding may leave of a true 0 in 2048 bits, after steps that cancel and numbers of up to 1e100. Every bound of
+/// doubles is far above it, or 0.
 const Real dust = ldexp(Real(1), -1100);
 
 Vector vector(const Json& v) { return {Real(v[0].get<double>()), Real(v[1].get<double>()), Real(v[2].get<double>())}; }
@@ -42,7 +42,7 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-using Truths = std::map<std::string, Real>;  // by the name that the text has for them
+using Truths = std::map<std::string, Real>;  // by their names in the text
 
 /// Δ = (v·D)² − D²(v² − r²), t = (−v·D ± √Δ) / D².
 Truths truths_of_sphere(const Vector& P, const Vector& D, const Json& sphere) {
@@ -72,7 +72,7 @@ Truths truths_of(const Json& story, const Json& surface) {
     return surface["kind"] == "sphere" ? truths_of_sphere(P, D, surface) : truths_of_triangle(P, D, surface);
 }
 
-/// Where the ray meets it first: t₀, or t₁ from inside.
+/// The t where the ray meets the sphere first: t₀, or t₁ from inside.
 Real true_t(const Truths& truths) {
     const auto t = truths.find("t");
     if (t != truths.end()) return t->second;
@@ -115,7 +115,7 @@ struct Tally {
 
 bool is_value(const Json& number) { return number["value"].is_number() && number["error"].is_number(); }
 
-/// A number of the JSON: value ± error, and what is said of its truth.
+/// Checks a number of the JSON: value ± error, and what is said about its truth.
 void check(const Json& number, const std::optional<Real>& truth, Tally& tally) {
     if (!truth || !is_value(number)) return;
     const Real value(number["value"].get<double>()), error(number["error"].get<double>());
@@ -135,7 +135,7 @@ void check(const Json& number, const std::optional<Real>& truth, Tally& tally) {
     CHECK_MESSAGE(abs(Real(number["true"].get<double>()) - *truth) <= abs(*truth) * 0x1p-52 + 0x1p-1074, number.dump());
 }
 
-/// All steps of the hit, and their truths by name.
+/// Checks all steps of the hit; returns their truths by name.
 Truths check_steps(const Json& hit, Tally& tally) {
     std::vector<std::optional<Real>> truths;
     Truths named;
@@ -180,7 +180,7 @@ void check_surface(const Json& surface, const Truths& truths, Tally& tally) {
             check(surface["weights"][weight], Real(truths.at(side) / truths.at("a+b+c")), tally);
 }
 
-/// The text, line by line: each number with its bound, held against the truth of that name.
+/// Checks the text line by line: each number with its bound against the truth of that name.
 void check_text(const std::string& text, std::map<std::size_t, Truths>& surfaces, const Truths& hit, Tally& tally) {
     const std::regex surface_row("^ +([0-9]+)  (sphere about|A =).*");
     const std::regex bounded("(\\S+) += (\\S+) (± (\\S+)|exact as a double|exact)");
@@ -244,7 +244,7 @@ TEST_CASE("every bound printed for the shipped scenes holds, in every scalar") {
             CAPTURE(scalar.name);
             Options options;
             options.scalar = scalar.value;
-            // The middle, half way to the corners, and off all of these by odd numbers.
+            // The middle, half way to the corners, and odd offsets from these.
             for (const auto& [x, y] :
                  {std::pair{.5, .5}, {.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}, {.52, .41}, {.37, .66}})
                 check_pixel(scene, options, static_cast<int>(x * scene.width), static_cast<int>(y * scene.height),

@@ -1,4 +1,4 @@
-// The scalar Recorded: a double's own results, and a tape that says where each comes from.
+// The scalar Recorded: a double's own results, and a tape that records where each comes from.
 #include "numerics/recorded.hpp"
 
 #include <doctest.h>
@@ -13,7 +13,7 @@ using namespace glassbox;
 
 namespace {
 
-/// Runs a sphere's and a triangle's test on random rays in double and on tape, and hands both crossings to `compare`.
+/// Runs a sphere's and a triangle's test on random rays in double and recorded, and hands both crossings to `compare`.
 template <class Rule, class Shape>
 void check_same(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
     const Silent silent;

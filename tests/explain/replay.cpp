@@ -1,4 +1,4 @@
-// A tape looked at again: bounds that hold, true values, lost bits.
+// Replaying a tape: bounds that hold, true values, lost bits.
 #include "explain/replay.hpp"
 
 #include <doctest.h>
@@ -18,7 +18,7 @@ using namespace glassbox;
 
 namespace {
 
-/// On every step the bound must hold.
+/// The bound must hold at every step.
 void check_bounds(const Tape& tape) {
     for (const Checked& checked : replay(tape)) {
         if (checked.known == Known::not_at_all) continue;

@@ -1,5 +1,5 @@
-// The inspector's numbers are the renderer's: in every pixel the recorded colour, t and normal are, to the bit, what
-// render and measure say.
+// The inspector's numbers are the renderer's: in every pixel the recorded colour, t and normal equal, to the bit, those
+// of render and measure.
 #include <doctest.h>
 
 #include <array>

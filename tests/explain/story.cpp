@@ -1,5 +1,5 @@
-// What a story says, against numbers worked out by hand on the paper's scene. Column j and row i are pixel (j, 499 −
-// i), whose ray starts at (500, j, i) and runs along (−1, 0, 0).
+// A story against numbers worked out by hand on the paper's scene. Column j and row i are pixel (j, 499 − i), whose ray
+// starts at (500, j, i) and runs along (−1, 0, 0).
 #include <doctest.h>
 
 #include <cmath>
@@ -280,8 +280,7 @@ TEST_CASE("every bound of a story holds") {
     }
 }
 
-// The tape is the scalar's own: float's t is a float, found by the steps and by nothing else, whatever double would
-// get.
+// The tape uses the scalar itself: float's t is a float, found by the steps alone, whatever double would give.
 TEST_CASE("in float the story is float's") {
     Options options;
     options.scalar = Scalar::float_;

@@ -1,4 +1,4 @@
-// The story as a student reads it: what must be in it, and that it fits a terminal.
+// The story as a student reads it: what it must contain, and that it fits a terminal.
 #include "explain/text.hpp"
 
 #include <doctest.h>
@@ -25,7 +25,7 @@ void check_has(const std::string& text, const std::vector<std::string>& parts) {
 
 }  // namespace
 
-// n·l = 4/√18 = 0.942809041…, n·h = 1001/√(1001² + 2·250²) = 0.942913658…: all their digits are told.
+// n·l = 4/√18 = 0.942809041…, n·h = 1001/√(1001² + 2·250²) = 0.942913658…: all their digits are printed.
 TEST_CASE("a sphere's pixel") {
     check_has(text("levental-2014.toml", 350, 149),
               {"Pixel (350, 149) of 500 × 500, column 350 and row 350 from the bottom left", "(72, 255, 41), #48ff29",
@@ -77,7 +77,7 @@ TEST_CASE("no line is wider than 100 columns") {
     const auto check_narrow = [](const std::string& page) {
         std::istringstream lines(page);
         for (std::string line; std::getline(lines, line);) {
-            // Bytes that begin a character.
+            // Count only bytes that begin a character.
             const auto columns = std::count_if(line.begin(), line.end(),
                                                [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
             CHECK_MESSAGE(columns <= 100, line);

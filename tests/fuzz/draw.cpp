@@ -33,14 +33,14 @@ Point along(int k, double s) {
     return p;
 }
 
-/// A point of whole numbers of so many bits.
+/// A point whose coordinates are integers of so many bits.
 Point on_lattice(Random& random, int bits) {
     return {random.few_bits(bits), random.few_bits(bits), random.few_bits(bits)};
 }
 Point anywhere(Random& random) {
     return {2 * random.fraction() - 1, 2 * random.fraction() - 1, 2 * random.fraction() - 1};
 }
-/// A direction of whole numbers, often along an axis.
+/// A direction of integers, often along an axis.
 Point direction(Random& random, int bits) {
     if (random.one_in(2)) return along(random.between(0, 2), random.sign());
     for (;;)
@@ -130,7 +130,7 @@ Pinhole pinhole_view(Random& random, const Point& middle, double size, double aw
     }
 }
 
-/// A view of what lies within `size` of the middle, from outside or from amidst.
+/// Sets a view of what lies within `size` of the middle, from outside or from within.
 void look(Random& random, Drawn& drawn, const Point& middle, double size, int least_side = 6, int most_side = 28) {
     const int side = random.between(least_side, most_side);
     drawn.width = drawn.height = side;
@@ -150,7 +150,8 @@ void look(Random& random, Drawn& drawn, const Point& middle, double size, int le
 
 // Kinds of scenes
 
-/// Few bits: vertices, edges and channels that many surfaces share, spheres that touch, rays exactly through all of it.
+/// Few bits: vertices, edges and channels that many surfaces share, spheres that touch, rays exactly through all of
+/// them.
 Drawn lattice(Random& random) {
     Drawn drawn;
     const int bits = random.between(1, 5);
@@ -176,14 +177,14 @@ Drawn lattice(Random& random) {
     return drawn;
 }
 
-/// A triangle that a ray meets where all weights are equal, so far off that they are about as large as what rounding
-/// may be: a few roundings of the sizes of the products that they are sums of. Something stands before it.
+/// A triangle that a ray meets where all weights are equal, so far away that they are about as large as their rounding
+/// errors may be: a few roundings of the sizes of the products that they are sums of. Something stands in front of it.
 Drawn balanced(Random& random) {
     Drawn drawn;
     const double roundings = random.one_in(4) ? random.between(1, 40) : random.of({8.0, 9.0, 9.0, 20.0});
     const double s = random.power_of_two(-8, 0), y = s * random.power_of_two(16, 30);
-    // With A at (y − s, z − s) and so on each weight is 3s², and the sizes of its products are about 8yz, if sizes
-    // are those of the coordinates of vertices and start added. z is searched so that it fits to the last bit.
+    // With A at (y − s, z − s) and so on each weight is 3s², and the sizes of its products are about 8yz, if sizes are
+    // those of the coordinates of vertices and start added. z is searched for so that it matches to the last bit.
     const auto weight_over_bound = [&](double z) {
         const double ay = 2 * y - s, by = 2 * y + 2 * s, az = 2 * z - s, cz = 2 * z + 2 * s;
         const double ab = ay * az + az * by, bc = by * cz + az * ay, ca = cz * ay + ay * az;
@@ -198,7 +199,7 @@ Drawn balanced(Random& random) {
     if (random.one_in(4)) z *= 1 - random.power_of_two(-52, -1);
     else
         for (std::uint64_t n = random.below(24); n > 0; --n) z = std::nextafter(z, 0);
-    // It reaches from before what is nearer to behind it, so that it is tried first.
+    // It reaches from in front of the nearer surface to behind it, so that it is tested first.
     const double start = random.of({64.0, 100.0, 1024.0}), nearer = random.between(12, 40),
                  size = random.of({1.0, 4.0});
     const double x[] = {random.one_in(4) ? 0.0 : nearer + 4, random.few_bits(3), random.few_bits(3)};
@@ -271,7 +272,7 @@ Drawn tiny(Random& random) {
     return drawn;
 }
 
-/// Pixels hardly apart where rays only just touch a sphere, and what touches it there.
+/// Pixels very close together where rays only just touch a sphere, and things that touch it there.
 Drawn grazing(Random& random) {
     Drawn drawn;
     const double r = random.one_in(2) ? random.between(1, 30) : random.power_of_two(-20, 20) * (1 + random.fraction());
@@ -323,7 +324,7 @@ Drawn slivers(Random& random) {
     return drawn;
 }
 
-/// Nothing special, but much of it; some things twice.
+/// Nothing special, but many surfaces; some of them twice.
 Drawn heap(Random& random) {
     Drawn drawn;
     const int n = random.of({3, 8, 20, 60});
@@ -343,7 +344,7 @@ Drawn heap(Random& random) {
     return drawn;
 }
 
-/// A closed or an open surface of triangles that share edges and vertices.
+/// A closed or open mesh of triangles that share edges and vertices.
 Drawn mesh(Random& random) {
     Drawn drawn;
     std::vector<Triangle>& faces = drawn.surfaces.triangles;
@@ -408,7 +409,7 @@ constexpr std::array all_kinds{Kind{"lattice", lattice, 28}, Kind{"balanced", ba
                                Kind{"grazing", grazing, 12}, Kind{"slivers", slivers, 8},    Kind{"heap", heap, 12},
                                Kind{"tiny", tiny, 4},        Kind{"mesh", mesh, 11},         Kind{"many", many, 1}};
 
-/// Of a hundred seeds in a row each kind has its share, well mixed.
+/// Each kind has its share of any hundred consecutive seeds, well mixed.
 const Kind& kind_of(std::uint64_t seed, std::string_view name) {
     int left = static_cast<int>(seed * 37 % 100);
     for (const Kind& kind : all_kinds) {
@@ -418,7 +419,7 @@ const Kind& kind_of(std::uint64_t seed, std::string_view name) {
     return all_kinds[0];
 }
 
-// What may become of a scene of any kind
+// Changes that may be applied to a scene of any kind
 
 /// Coordinates an ulp or a few off.
 void jitter(Random& random, Drawn& drawn) {
@@ -430,7 +431,7 @@ void jitter(Random& random, Drawn& drawn) {
     for (Sphere& sphere : drawn.surfaces.spheres) sphere.r = std::abs(sphere.r);
 }
 
-/// A triangle behind all: what is around everything becomes large.
+/// Puts a triangle behind everything: the box around all surfaces becomes large.
 void put_behind(Random& random, Drawn& drawn) {
     const double size = random.power_of_two(10, 30);
     const Point n = std::holds_alternative<Parallel>(drawn.view)
@@ -463,7 +464,7 @@ void for_each_direction(oracle::View& view, const Use& use) {
     }
 }
 
-/// All of it, somewhere else.
+/// Moves everything somewhere else.
 void move(Random& random, Drawn& drawn) {
     const Point by = random.power_of_two(2, 50) * on_lattice(random, 2);
     const auto moved = [&](Point& p) { p = p + by; };
@@ -471,7 +472,7 @@ void move(Random& random, Drawn& drawn) {
     for_each_place(drawn.view, moved);
 }
 
-/// x, y and z change places.
+/// Permutes x, y and z.
 void turn(Random& random, Drawn& drawn) {
     const int times = random.between(0, 2);
     const auto turned = [&](Point& p) {
@@ -494,7 +495,7 @@ bool is_finite(const Drawn& drawn) {
     return finite;
 }
 
-/// All of it larger or smaller by a power of two; steps and directions only as far as scene files may have them.
+/// Scales everything by a power of two; steps and directions only within the range that scene files allow.
 void scale(Random& random, Drawn& drawn) {
     const int e = exponent(random);
     Drawn scaled = drawn;
@@ -512,7 +513,7 @@ void scale(Random& random, Drawn& drawn) {
 
 // Rays
 
-/// A point of a surface that is special, or any.
+/// A special point of a surface, or any point of it.
 Point target(Random& random, const oracle::Surfaces& surfaces) {
     const std::size_t n = random.below(surfaces.size());
     if (n < surfaces.spheres.size()) {

@@ -6,7 +6,7 @@
 
 #include "oracle/oracle.hpp"
 
-/// Scenes drawn at random as faults were found: a picture of some surfaces, and rays of one's own.
+/// Random scenes: a picture of some surfaces, and additional rays.
 namespace glassbox::fuzz {
 
 struct Drawn {
@@ -17,20 +17,20 @@ struct Drawn {
     std::vector<oracle::Ray> rays;
 };
 
-/// The scene of a seed: the same one whenever it is asked for, by programs of one compiler (another one may draw the
-/// numbers of an expression in another order). Of that kind only, if it is named.
+/// Returns the scene of a seed: always the same one, in programs of one compiler (another one may draw the numbers of
+/// an expression in another order). If `kind` is given, only of that kind.
 Drawn draw(std::uint64_t seed, std::string_view kind = {});
 
-/// Scenes in which there were faults, to be asked about first.
+/// Returns scenes that once revealed faults, to be tested first.
 std::vector<Drawn> known();
 
-/// What kinds there are.
+/// Returns the kinds of scenes.
 std::vector<std::string_view> kinds();
 
-/// The picture as a scene file. Surface n has colour n + 1, read as a number of three bytes.
+/// Returns the picture as a scene file. Surface n has colour n + 1, read as a number of three bytes.
 std::string to_toml(const Drawn& drawn);
 
-/// The rays as a table that `glassbox shoot` reads.
+/// Returns the rays as a table that `glassbox shoot` reads.
 std::string to_csv(const std::vector<oracle::Ray>& rays);
 
 }  // namespace glassbox::fuzz

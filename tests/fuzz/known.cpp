@@ -6,8 +6,8 @@ namespace {
 
 using oracle::Parallel, oracle::Pinhole;
 
-/// All three weights of the first triangle are as large as the bound on their rounding, to 2⁻⁴⁵ of it; the sphere
-/// before it is tried later. Truth: the sphere, at t = 4.
+/// All three weights of the first triangle are as large as the bound on their rounding, to 2⁻⁴⁵ of it; the sphere in
+/// front of it is tested later. Truth: the sphere, at t = 4.
 Drawn weights_at_their_bound() {
     Drawn drawn{"known", {}, {}, 1, 1, {}};
     const double y = 1048576, z = 1398101.2968749956, s = 0.0625, far = 1e7;
@@ -27,7 +27,7 @@ Drawn squares_of_few_bits() {
     return drawn;
 }
 
-/// Far from the origin: the rays' directions must not lose digits by it. Nearer still the same.
+/// Far from the origin: the rays' directions must not lose digits because of that. The same when nearer.
 Drawn far_eye(double scale) {
     Drawn drawn{"known", {}, {}, 13, 13, {}};
     drawn.view = Pinhole{{3 * scale, scale, 2 * scale}, {0, 0, 0}, {0, 0, 1}, 45};

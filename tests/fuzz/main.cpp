@@ -1,4 +1,4 @@
-// A fuzzer: draws scenes, asks the program about each in all ways, and holds the answers against the oracle's.
+// A fuzzer: draws random scenes, runs the program on each in every way, and compares the answers with the oracle's.
 //
 //   test_fuzz                      a short run, always the same
 //   test_fuzz --seeds 1000..2000   those seeds; one alone: --seeds 1234
@@ -6,7 +6,7 @@
 //   … --kind grazing               scenes of one kind only
 //   … --out FOLDER                 the smallest scene of each fault into files there
 //
-// Two at once, with seeds of their own, use two cores.
+// Run two at once, with seeds of their own, to use two cores.
 #include <fmt/format.h>
 
 #include <algorithm>

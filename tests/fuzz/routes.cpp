@@ -49,7 +49,7 @@ Job on(const Trial& trial, int threads) {
     return job;
 }
 
-/// Holds the surface that was found at each pixel against the truth. `found(pixel)` tells it.
+/// Compares the surface found at each pixel with the truth. `found(pixel)` returns it.
 template <class Get>
 Found wrong_surface(const Trial& trial, const Get& found) {
     for (std::size_t pixel = 0; pixel < trial.pixels(); ++pixel) {
@@ -67,7 +67,7 @@ Found wrong_surface(const Trial& trial, const Get& found) {
     return {};
 }
 
-/// What a picture without shading shows: see to_toml.
+/// Returns the surface that a colour of a picture without shading stands for: see to_toml.
 Surface surface_of(const Rgb& color) {
     const std::size_t n = std::size_t{color.red} << 16 | std::size_t{color.green} << 8 | color.blue;
     return n == 0 ? Surface() : Surface(n - 1);
@@ -90,7 +90,7 @@ Route picture(const std::string& name, const Options& options, int threads, cons
             "render --stage 3 " + command};
 }
 
-/// The same, with the vectors of one kind.
+/// The same, with one kind of vectors.
 Route with_vectors(std::int64_t target, Route route) {
     route.name += std::string(", ") + hwy::TargetName(target);
     route.check = [target, check = std::move(route.check)](const Trial& trial) {
@@ -107,7 +107,7 @@ Route with_vectors(std::int64_t target, Route route) {
     return route;
 }
 
-/// The walk through the hierarchy for what is nearest alone, as pictures take it where tiles do not tell.
+/// The walk through the hierarchy for the nearest surface only, as pictures use it where tiles cannot decide.
 Route walk() {
     return {"ray by ray",
             [](const Trial& trial) {
@@ -121,7 +121,7 @@ Route walk() {
             "render --stage 3"};
 }
 
-/// Shaded, the same bytes by the engine and without.
+/// Shaded pictures: the same bytes with the engine and without.
 Route same_bytes() {
     return {"shaded by the engine and without",
             [](const Trial& trial) -> Found {
@@ -144,7 +144,7 @@ std::vector<std::vector<Channel>> measured(const Trial& trial, const Options& op
     return measure(trial.scene(), options, wanted, on(trial, 1));
 }
 
-/// Is that a unit normal, and as near the true one as its formula can be?
+/// Whether this is a unit normal, and as close to the true one as its formula can be.
 bool is_normal(const Vec3<double>& n, const oracle::Normal& truth) {
     if (!std::isfinite(truth.condition)) return true;  // all digits cancel
     if (!(std::abs(std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1) < 0x1p-50)) return false;
@@ -156,7 +156,7 @@ Fault fault(const char* kind, std::size_t pixel, const std::string& expected, co
     return {kind, pixel, {}, expected, got};
 }
 
-/// What the judge says of a certified picture, and how many surfaces it counts.
+/// The verdicts on a certified picture, and the numbers of surfaces that it counts.
 Route verdicts(const std::string& name, const Options& options, const std::string& command) {
     return {name,
             [=](const Trial& trial) -> Found {
@@ -196,7 +196,7 @@ Route normals() {
             "measure --what normal,depth"};
 }
 
-/// What the judge says of a plain scalar's picture, against what that picture shows.
+/// The verdicts on a plain scalar's picture, against what that picture shows.
 Route judged(Scalar scalar) {
     const std::string name(name_of(scalar));
     return {"verdict of " + name,
@@ -218,7 +218,7 @@ Route judged(Scalar scalar) {
             "measure --what verdict --scalar " + name};
 }
 
-/// What is wrong with a shot, if anything is.
+/// Returns what is wrong with a shot, if anything is.
 std::string why_wrong(const oracle::Oracle& oracle, const Ray<double>& ray, const oracle::Answer& answer,
                       const Shot& shot) {
     using Verdict = Shot::Answer;
@@ -230,7 +230,7 @@ std::string why_wrong(const oracle::Oracle& oracle, const Ray<double>& ray, cons
     if (shot.hits != answer.met.size()) return "wrong count";
     const oracle::Ray its_ray = to_oracle(ray);
     if (!oracle.is_within(its_ray, *answer.first, shot.t, shot.t_error)) return "t outside its bound";
-    // It is known to nearly all the digits that doubles have.
+    // t is known to nearly all the digits of a double.
     const long double t = answer.first->high;
     if (t < 0x1p1000L && !(shot.t_error <= 0x1p-46L * t + 0x1p-1020L)) return "bound on t too large";
     return {};
@@ -248,7 +248,7 @@ std::string shown(const Shot& shot) {
     }
 }
 
-/// Shots by a rule for triangles, whose answers `truth(trial)` tells.
+/// Shots by a rule for triangles; `truth(trial)` gives the right answers.
 template <class Truth>
 Route shots(const Options& options, int threads, const Truth& truth) {
     const std::string command =
@@ -277,7 +277,7 @@ std::pair<oracle::Oracle, std::vector<oracle::Answer>> by_tolerance(const Trial&
     return {std::move(oracle), std::move(answers)};
 }
 
-/// The rays of pixels are where the view's own mathematics has them: in the corners, and here and there.
+/// The pixels' rays are where the view's mathematics puts them: in the corners, and at some other pixels.
 Route rays_of_the_view() {
     return {"rays of the view",
             [](const Trial& trial) -> Found {

@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    /// Takes the scene for the best if the route is at fault there, too.
+    /// Takes the scene as the best if the route fails there, too.
     bool take(Drawn drawn) {
         if (tries_ <= 0) return false;
         --tries_;
@@ -41,7 +41,7 @@ private:
         }
     }
 
-    /// Takes out surfaces, many at a time at first.
+    /// Removes surfaces, many at a time at first.
     void drop_surfaces() {
         for (std::size_t count = best_.drawn.surfaces.size() / 2; count > 0; count /= 2)
             for (std::size_t from = 0; from < best_.drawn.surfaces.size();) {
@@ -71,7 +71,7 @@ private:
         if (drawn.rays.size() < best_.drawn.rays.size()) take(std::move(drawn));
     }
 
-    /// The picture is made to be one pixel, or half as large again and again.
+    /// Reduces the picture to one pixel, or halves it again and again.
     void keep_one_pixel() {
         if (best_.fault.ray) {
             if (!take(one_pixel({}))) halve();
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// A part of a parallel view's picture, begun that far to the right and upwards; of a pinhole's, its middle.
+    /// A part of a parallel view's picture, starting that far to the right and upwards; of a pinhole's, its middle.
     Drawn cropped(double width, double height, double right, double up) const {
         Drawn drawn = best_.drawn;
         const double j = std::ceil(drawn.width * right), i = std::ceil(drawn.height * up);

@@ -8,7 +8,7 @@ struct Shrunk {
     Fault fault;
 };
 
-/// The smallest scene found in which the route is at fault in the same way: fewer surfaces, one ray or one pixel,
+/// Returns the smallest scene found in which the route fails in the same way: fewer surfaces, one ray or one pixel,
 /// numbers of fewer bits.
 Shrunk shrink(const Drawn& drawn, const Fault& fault, const Route& route);
 

@@ -8,7 +8,7 @@ namespace {
 
 using oracle::Point;
 
-/// The shortest text that is read as the same number, never as a whole one of TOML: these end at 2⁶³.
+/// Returns the shortest text that reads back as the same number, but never as a TOML integer: these end at 2⁶³.
 std::string written(double x) {
     std::string text = fmt::format("{}", x);
     if (text.find_first_of(".en") == text.npos) text += ".0";

@@ -14,12 +14,12 @@ namespace glassbox::fuzz {
 
 namespace {
 
-/// Every how-manieth pixel's ray is shot by itself.
+/// One pixel's ray of so many is shot by itself.
 constexpr std::size_t pixels_a_ray = 31;
 
 Vec3<double> to_vec3(const oracle::Point& p) { return {p.x, p.y, p.z}; }
 
-/// As its own reader reads it: refusals are the program's.
+/// Reads the scene as the program does: any refusal is the program's.
 Scene read(const Drawn& drawn) {
     const auto path = std::filesystem::temp_directory_path() / ("glassbox-fuzz-" + std::to_string(getpid()) + ".toml");
     std::ofstream(path) << to_toml(drawn);

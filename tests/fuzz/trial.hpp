@@ -12,7 +12,7 @@ namespace glassbox::fuzz {
 
 using test::to_oracle;
 
-/// A drawn scene as the program has read it, and what is true of it.
+/// A random scene as the program reads it, and the truth about it.
 class Trial {
 public:
     /// Throws glassbox::Error if the program refuses the scene.
@@ -27,7 +27,7 @@ public:
     std::size_t pixels() const { return pixel_rays_.size(); }
     int x(std::size_t pixel) const { return static_cast<int>(pixel) % drawn_.width; }
     int y(std::size_t pixel) const { return static_cast<int>(pixel) / drawn_.width; }
-    /// The rays of all pixels, row by row from the top, as the program's view has them: they are given.
+    /// The rays of all pixels, row by row from the top, as the program's view has them: they are taken as given.
     const std::vector<Ray<double>>& pixel_rays() const { return pixel_rays_; }
     const std::vector<oracle::Answer>& pixel_answers() const { return pixel_answers_; }
 

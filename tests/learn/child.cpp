@@ -26,7 +26,8 @@ Command ending(const std::string& kind, const std::vector<std::string>& more = {
     return command;
 }
 
-/// Whether a process with that number runs. Someone may yet have to fetch its exit status, which we wait for a little.
+/// Whether the process with that number has ended. Someone may yet have to fetch its exit status: waits a little for
+/// that.
 bool is_gone(pid_t process) {
     for (int i = 0; i < 500; ++i) {
         if (::kill(process, 0) != 0) return true;

@@ -1,4 +1,4 @@
-// A program that ends in the way that its first argument names, for tests/learn/child.cpp.
+// A program that ends in the way named by its first argument, for tests/learn/child.cpp.
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -79,7 +79,7 @@ int end(const std::string& kind, const std::vector<std::string>& more) {
     }
     if (kind == "print")
         while (true) std::puts("again and again and again and again and again and again and again and again");
-    if (kind == "much") {  // more than is kept, less than is endless
+    if (kind == "much") {  // more than is kept, less than the limit
         std::fputs("the beginning", stdout);
         for (int i = 0; i < 1'000'000; ++i) std::putchar('.');
     }
@@ -97,7 +97,7 @@ int end(const std::string& kind, const std::vector<std::string>& more) {
         auto* number = static_cast<volatile int*>(handed_down(shared_memory_variable, sizeof(int)));
         *number = *number * 2;
     }
-    if (kind == "family") {  // tells the number of a process of its own, which goes on for ever
+    if (kind == "family") {  // prints the id of a process of its own, which runs for ever
         const pid_t child = ::fork();
         if (child == 0) wait_for_ever();
         std::printf("%d\n", static_cast<int>(child));

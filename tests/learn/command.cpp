@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One folder for all cases: what the tests are made with is made once.
+/// One folder for all cases, so that the toolchain is made only once.
 const Folder& home() {
     static Folder folder;
     return folder;

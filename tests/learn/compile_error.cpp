@@ -1,4 +1,4 @@
-// What compilers say, and what a learner is told. The messages are those of g++ 12 and clang++ 14.
+// What compilers print, and what a learner reads. The messages are those of g++ 12 and clang++ 14.
 #include "learn/build/compile_error.hpp"
 
 #include <doctest.h>
@@ -159,7 +159,7 @@ TEST_CASE("the first error in the learner's own file is the one, though others c
 
 TEST_CASE("an error elsewhere that a line of the learner's led to is told at that line") {
     const Project project;
-    // g++ tells the way before the error, clang++ after it
+    // g++ prints the path to an error before it, clang++ after it
     for (const char* text : {
              "my/1-rays/vec3.hpp: In instantiation of 'int f() [with T = int]':\n"
              "my/1-rays/vec3.hpp:3:9:   required from here\n"
@@ -200,7 +200,7 @@ TEST_CASE("what is not closed in a header goes before what another file, or a la
         CHECK(one.message == "");
         CHECK(one.others == 1);
     }
-    // What comes before it is told first; and what no file includes is not looked at.
+    // What is unclosed before the error is reported first; a file that nothing includes is ignored.
     CHECK(error("my/1-rays/vec3.hpp:1:9: error: 'tow' was not declared in this scope\n").place.line == 1);
     std::ofstream(first, std::ios::app) << "}\n";
     CHECK_FALSE(error("tests/checks.hpp:93:7: error: 'passed' was not declared in this scope\n").yours);
@@ -244,7 +244,7 @@ TEST_CASE("an error that our own headers lead to, too, is no mistake of the lear
     CHECK(ours.plain.starts_with("This is no mistake of yours"));
     CHECK(ours.plain.find("./glassbox") != std::string::npos);
     CHECK(asked == 2);
-    CHECK_FALSE(with_its_cause(in_mine, as_bad).ours);  // it need not be asked whose that is
+    CHECK_FALSE(with_its_cause(in_mine, as_bad).ours);  // there is no need to compile ours
     CHECK(asked == 2);
 }
 
@@ -304,7 +304,7 @@ TEST_CASE("what the machine does not allow is told as such, by g++, clang++ and 
                   said("prelude.hpp:1:1: fatal error: cannot write PCH file: No space left on device\n"),
                   "prelude.hpp");
           }).find("free some space") != std::string::npos);
-    // A learner's own words, a line of source, and a header that may not be read are something else.
+    // A learner's own words, a line of source, and a header that may not be read are no faults of the machine.
     for (const char* other :
          {"my/1-rays/vec3.hpp:2:2: error: #error it said: No space left on device\n",
           "tests/stage.cpp:7:3: error: 'dot' was not declared\n    7 | a: No space left on device\n",

@@ -50,7 +50,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
     return text.replace(text.find(old), old.size(), by);
 }
 
-/// What is wrong with an exercise of that text, from the file's name on; "" if nothing is.
+/// Returns what is wrong with an exercise of that text, from the file's name on; "" if nothing is.
 std::string complaint(const std::string& text) {
     const Folder folder;
     const fs::path lesson = folder / "2-spheres";
@@ -129,9 +129,9 @@ TEST_CASE("a run looks like the mistake that shares most: all that it fails must
     CHECK(looks_like(run, known) == "small");
     run.cases[0] = failing("one", "f()", "7");
     CHECK(looks_like(run, known) == "");
-    // what fails only because something is not written yet neither speaks for a mistake nor against it
+    // what fails only because something is not written yet is no evidence for or against a mistake
     run.cases = {failing("one", "f()", "3"), not_written("two", "g"), {"three"}};
-    CHECK(looks_like(run, known) == "large");  // as "small" does it, too: the first by name
+    CHECK(looks_like(run, known) == "large");  // "small" fails so, too: the first by name
     run.cases = {not_written("one", "f"), not_written("two", "g"), {"three"}};
     CHECK(looks_like(run, known) == "");
 }
@@ -160,7 +160,7 @@ TEST_CASE(
              << "looks_like = 'It is " << name << ".'\n";
     toml.close();
     CHECK(recognised(exercise, run, judged(exercise, run)).looks_like == "It is farthest.");
-    run.cases[0] = failing("nearest: of two", "t", "7");  // a mistake of nobody's: what is known is elsewhere
+    run.cases[0] = failing("nearest: of two", "t", "7");  // no known mistake: the recognised one is elsewhere
     CHECK(recognised(exercise, run, judged(exercise, run)).looks_like ==
           "In `normal`, not in the failure above: It is down.");
 }
@@ -180,13 +180,13 @@ TEST_CASE("a function that calls one that is not written waits for it, and has n
     CHECK(judgement.waiting == 2);
     CHECK(judgement.function == &exercise.functions[0]);
 
-    // what fails by itself has failed, whatever else waits
+    // what fails by itself has failed, whatever else is waiting
     run.cases[1] = failing("meet: none", "t", "3");
     judgement = judged(exercise, run);
     CHECK(judgement.functions[1].state == State::failing);
     CHECK(judgement.failed == 1);
 
-    // a function that none of its own tests misses is the next to write where others wait for it
+    // a function that none of its own tests misses is the next to write if others wait for it
     run.cases = {{"roots: two"}, not_written("meet: ahead", "normal"), {"normal: up"}};
     judgement = judged(exercise, run);
     CHECK(judgement.function == &exercise.functions[2]);
@@ -233,7 +233,7 @@ TEST_CASE("a function is found by what its starter declares, though its name nee
     CHECK(line_of_function(written, starter, "Near") == 3);  // a line further down than in the starter
     CHECK(line_of_function(written, starter, "Far") == 8);
     CHECK(line_of_function(written, starter, "Bounded + Bounded") == 16);
-    // however the declaration was changed, and whatever is called
+    // however the declaration was changed, and whatever else is called
     const std::string changed =
         replaced(written, "    Real operator()(Real a) const", "constexpr auto operator()(auto b)");
     CHECK(line_of_function(changed, starter, "Near") == 3);
@@ -255,7 +255,7 @@ TEST_CASE("ulps are told of a number that is nearly right, and of no other") {
     CHECK(told("1 (0x1p+0)", "1.0000000000000007 (0x1.0000000000003p+0)", "3.000000") ==
           "3 ulps (units in the last place)");
     CHECK(told("-1", "-1.0000000000000002", "1.000000") == "1 ulp (unit in the last place)");
-    // An error is rounded up: what is more than 4 must not look like 4.
+    // An error is rounded up: more than 4 must not look like 4.
     CHECK(told("1", "1.0000000000000009", "4.0000000000000009") == "4.01 ulps (units in the last place)");
     CHECK(told("5", "7", "2251799813685248.000000") == "");
     CHECK(told("5e-324", "-5e-324", "2.000000") == "");
@@ -401,7 +401,7 @@ TEST_CASE(
     });
     const auto start = std::chrono::steady_clock::now();
     CHECK(watch.wait(stop.get_token()));
-    CHECK(std::chrono::steady_clock::now() - start > 400ms);  // not at the touch
+    CHECK(std::chrono::steady_clock::now() - start > 400ms);  // not when it was only touched
     edits.join();
     stop.request_stop();
     CHECK_FALSE(watch.wait(stop.get_token()));

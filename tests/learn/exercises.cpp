@@ -1,6 +1,6 @@
-// What every lesson's exercise must hold, for the lesson that is named on the command line: the starter compiles and
-// fails with the names of its own functions; the solution passes; each classic mistake is caught, and the detective
-// names it and no other.
+// What every lesson's exercise must satisfy, for the lesson named on the command line: the starter compiles and fails
+// with the names of its own functions; the solution passes; each classic mistake is caught, and the detective names it
+// and no other.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest.h>
 
@@ -26,14 +26,14 @@ namespace {
 
 std::string lesson;
 
-/// One folder for the tests of all lessons: what all of them are made with is made once.
+/// One folder for the tests of all lessons, so that the toolchain is made only once.
 Workspace workspace() { return open_workspace(ROOT, FOLDER); }
 
 Toolchain tools(const Workspace& all) {
     return toolchain(all, [](const std::string&) {});
 }
 
-/// The folder for a program of this test's own.
+/// The folder for a program of this test.
 fs::path work_folder(const Workspace& all, const std::string& name) {
     fs::path folder = all.hidden() / "exercises" / lesson / name;
     fs::create_directories(folder);
@@ -51,7 +51,7 @@ std::string without_indent(const std::string& line) {
     return line.substr(std::min(line.find_first_not_of(' '), line.size()));
 }
 
-/// What is wrong with a run, for whoever reads the failure of this test.
+/// What is wrong with a run, for the failure message of this test.
 std::string first_trouble(const TestRun& run) {
     if (run.error) return run.error->place.file + ": " + run.error->message;
     if (!run.disturbed.empty()) return run.disturbed;
@@ -128,7 +128,7 @@ TEST_CASE("the starter compiles, and fails with the names of its own functions")
     for (std::size_t i = 0; i < exercise.functions.size(); ++i)
         CHECK_MESSAGE(judgement.functions[i].state != State::passed, exercise.functions[i].name);
     REQUIRE(judgement.function);
-    CHECK(judgement.function == exercise.functions.data());  // the first to be written is the first to be told of
+    CHECK(judgement.function == exercise.functions.data());  // the first function to write is reported first
 }
 
 TEST_CASE("the solution passes, in every scalar, and each function has its tests") {
@@ -168,7 +168,7 @@ TEST_CASE("a header without its last brace is named itself, at the brace that is
         REQUIRE(run.error);
         CHECK(run.error->yours);
         CHECK(fs::path(run.error->place.file) == headers / broken);
-        // The last brace is that of the namespace, which is the first that the header opens.
+        // The last brace closes the namespace, which the header opens first.
         CHECK(run.error->source.starts_with("namespace glassbox"));
         CHECK(run.error->place.column == run.error->source.size());
         CHECK(run.error->plain.starts_with("This { is never closed"));
@@ -181,7 +181,7 @@ TEST_CASE("each mistake is caught, and recognised as itself; mistakes.json is wh
     const std::string recorded = read_text(exercise.lesson / "mistakes.json");
     const std::vector<Trace> known = read_traces(exercise.lesson / "mistakes.json");
     CHECK(read_mistakes(exercise).size() >= 7);
-    std::mutex mutex;  // doctest's checks are made from one thread
+    std::mutex mutex;  // doctest's checks must be made by one thread at a time
     std::vector<std::pair<std::string, std::string>> told;
     const std::vector<Trace> now =
         traces_of_all(all, exercise, tools(all), [&](const Mistake& mistake, const TestRun& run) {
@@ -195,7 +195,7 @@ TEST_CASE("each mistake is caught, and recognised as itself; mistakes.json is wh
 
 }  // namespace
 
-/// main prepare: makes what all lessons' tests are made with. main N-name …: tests a lesson.
+/// main prepare: makes the toolchain of all lessons' tests. main N-name …: tests a lesson.
 int main(int argc, char** argv) {
     if (argc < 2) {
         std::cerr << argv[0] << ": error: name a lesson, such as 2-spheres\n";

@@ -1,4 +1,4 @@
-// Where lessons are found in what learners hand in.
+// Where lessons are found in folders that learners hand in.
 #include "learn/report/handed_in.hpp"
 
 #include <doctest.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of handed-in folders, and who looks at them.
+/// A folder of handed-in folders, and the teacher who grades them.
 struct Hand {
     Folder folder;
     Workspace teacher = open_workspace(ROOT, folder.path / "teacher");
@@ -60,11 +60,11 @@ TEST_CASE("lessons are found in a folder within the folder, and it is noted") {
     CHECK(has(bo.notes[0], "bo: note: its lessons are in "));
     CHECK(bo.notes[0].ends_with("bo/my"));
 
-    hand.file("bo/old/1-rays/vec3.hpp");  // the first in order is taken, and the other is named
+    hand.file("bo/old/1-rays/vec3.hpp");  // the first in order is used, and the other is noted
     REQUIRE(hand.in("bo").notes.size() == 1);
     CHECK(has(hand.in("bo").notes[0], "and others in "));
     CHECK(has(hand.in("bo").notes[0], "bo/old"));
-    hand.file("bo/1-rays/vec3.hpp");  // what is higher up goes first
+    hand.file("bo/1-rays/vec3.hpp");  // the higher level has precedence
     CHECK(hand.in("bo").workspace.folder == (hand.folder / "bo"));
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("a lesson's folder may have capitals, another sign between its words, 
         CHECK(cy.notes.empty());
         fs::remove_all(hand.folder / "cy");
     }
-    hand.file("cy/3-rays/vec3.hpp");  // is it lesson 1 or lesson 3?
+    hand.file("cy/3-rays/vec3.hpp");  // ambiguous: lesson 1 or lesson 3
     CHECK(hand.in("cy").workspace.called_otherwise.empty());
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("headers that lie elsewhere than in a lesson's folder are not looked a
     CHECK(has(eve.notes[0], "eve/1-rays; move it there"));
     CHECK(has(eve.notes[1], "eve/6-rounding/numerics/bounded.hpp: note: this is not looked at: lesson 6 is in "));
     CHECK(has(eve.notes[1], "eve/6-rounding; move it there"));
-    hand.file("fay/1-rays/Vec3.hpp");  // no include finds it
+    hand.file("fay/1-rays/Vec3.hpp");  // no include finds this name
     REQUIRE(hand.in("fay").notes.size() == 1);
     CHECK(has(hand.in("fay").notes[0], "Vec3.hpp: note: this is not looked at"));
 }

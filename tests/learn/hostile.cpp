@@ -1,5 +1,5 @@
-// What a learner's header may do when it runs, and when it is compiled: `learn` says what has happened and where, and
-// nothing is left running. A real fork bomb is not among them: where tests run as root, no limit would stop it.
+// What a learner's header may do when it runs, and when it is compiled: `learn` says what happened and where, and
+// leaves no process running. There is no real fork bomb: where tests run as root, no limit would stop it.
 #include <doctest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A learner's folder, shared by all cases: what the tests are made with is made once.
+/// A learner's folder, shared by all cases, so that the toolchain is made only once.
 class Victim {
 public:
     Victim()
@@ -36,7 +36,7 @@ public:
     Learner& learner() { return learner_; }
     fs::path header() const { return workspace().header(exercise_, "vec3.hpp"); }
 
-    /// The solution, with another text instead of the body of `dot`.
+    /// The solution, with another text as the body of `dot`.
     std::string with_body(const std::string& body) const {
         return changed("return a.x * b.x + a.y * b.y + a.z * b.z;", body);
     }
@@ -48,7 +48,7 @@ public:
         return solution;
     }
 
-    /// Tests with that text as vec3.hpp; returns what a learner reads.
+    /// Tests that text as vec3.hpp; returns what a learner reads.
     std::string told(const std::string& text, std::chrono::milliseconds deadline = 5s) {
         make_starters(workspace(), exercise_);
         for (const std::string& header : exercise_.headers)
@@ -65,7 +65,7 @@ public:
         return tested_text(learner_, exercise_, tested, Paint{});
     }
 
-    /// How many processes there are that run this learner's program. Those that were killed may need a moment.
+    /// Returns how many processes run this learner's program. Killed ones may need a moment.
     int running() const {
         int count = running_now();
         for (int looks = 0; count > 0 && looks < 100; ++looks) {
@@ -96,7 +96,7 @@ Victim& victim() {
     return one;
 }
 
-/// Sets a variable of the environment for its own life; programs that are run inherit it.
+/// Sets an environment variable during its lifetime; child processes inherit it.
 class Variable {
 public:
     Variable(const char* name, const std::string& value) : name_(name) { ::setenv(name, value.c_str(), 1); }
@@ -106,7 +106,7 @@ private:
     const char* name_;
 };
 
-/// All that `dot` can do when it is called: one program, compiled once, does each of them.
+/// Everything that `dot` can do when called: one program, compiled once, can do each of them.
 constexpr const char* everything = R"(
     const std::string kind = std::getenv("GLASSBOX_HOSTILE");
     static volatile int zero = 0;
@@ -234,7 +234,7 @@ TEST_CASE("a header that does not compile is told of once, at its first error, i
              Case{"an include of itself",
                   victim().changed("#pragma once", "#include \"vec3.hpp\""),
                   {"vec3.hpp:1:", "The file includes itself"}},
-             // clang++ takes it for an empty file, g++ reads until its memory is used up
+             // clang++ reads it as an empty file, g++ reads until its memory is used up
              Case{"an include without end",
                   victim().changed("#include <cmath>", "#include \"/dev/zero\"\nint oops"),
                   {"not compile"}},
@@ -302,7 +302,7 @@ TEST_CASE("a header that is not there, or is no file, is refused with a way out"
     check_has(refusal(), "this is a binary file");
     fs::remove(header);
     std::ofstream(header) << "x";
-    fs::resize_file(header, std::uintmax_t{1} << 40);  // a file of a terabyte, with nothing in it
+    fs::resize_file(header, std::uintmax_t{1} << 40);  // a sparse file of a terabyte
     check_has(refusal(), "is larger than 4 MiB");
     CHECK(reset(victim().workspace(), victim().exercise()).size() == 3);  // the other two are solutions until then
     CHECK(refusal() == "");

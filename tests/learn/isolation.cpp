@@ -1,5 +1,5 @@
-// What strangers hand in runs apart from all else, where bubblewrap can do that; and is graded as ever. Each attack is
-// made without isolation first: there it must succeed, or the test would prove nothing.
+// Strangers' code runs isolated, where bubblewrap can do that, and is graded as usual. Each attack is made without
+// isolation first: there it must succeed, or the test would prove nothing.
 #include "learn/subprocess/isolation.hpp"
 
 #include <arpa/inet.h>
@@ -32,14 +32,14 @@ extern char** environ;
 
 namespace {
 
-/// Whether these tests cannot be done here; it says so, and ctest counts them as skipped.
+/// Whether these tests cannot run here; reports that, and ctest counts them as skipped.
 bool is_skipped() {
     static const std::string why = why_not_isolated();
     if (!why.empty()) MESSAGE("skipped: ", why);
     return !why.empty();
 }
 
-/// Sets a variable of the environment for its own life.
+/// Sets an environment variable during its lifetime.
 class Variable {
 public:
     Variable(const char* name, const std::string& value) : name_(name) {
@@ -56,7 +56,7 @@ private:
     std::optional<std::string> before_;
 };
 
-/// Someone on 127.0.0.1 who can be connected to.
+/// A server on 127.0.0.1 that accepts connections.
 class Listener {
 public:
     Listener() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -76,7 +76,7 @@ private:
     int socket_;
 };
 
-/// A process of ours that does nothing, and could be ended by others of ours.
+/// A process of ours that does nothing, and could be ended by our other processes.
 class Bystander {
 public:
     Bystander() {
@@ -92,7 +92,7 @@ public:
     pid_t number = 0;
 };
 
-/// A teacher's machine: a home folder with the course in it, in which two learners have handed in lesson 1.
+/// A teacher's machine: a home folder with the course, and lesson 1 handed in by two learners.
 struct Machine {
     fs::path home = new_folder(fs::path(FOLDER) / "isolation-home");
     Variable home_variable{"HOME", home.string()};
@@ -122,7 +122,7 @@ struct Machine {
         std::ofstream(learner / "1-rays/vec3.hpp") << vec3;
     }
 
-    /// The solution, whose dot() does something else first.
+    /// The solution, whose dot() first does something else.
     std::string with_deed(const std::string& deed) const {
         std::string text = solution();
         const std::string body = "return a.x * b.x + a.y * b.y + a.z * b.z;";
@@ -137,7 +137,8 @@ struct Machine {
         return text;
     }
 
-    /// All that a stranger might try; what succeeds is thrown, but for what is written: that is seen, or not.
+    /// Everything that a stranger might try; reports success by an exception, except for writes: those leave a file, or
+    /// not.
     std::string attack() const {
         return fmt::format(
             R"(inline bool reads(const char* file) {{ return static_cast<bool>(std::ifstream(file)); }}
@@ -206,7 +207,7 @@ TEST_CASE("however a program ends, isolated it is told in the same words") {
         CHECK(other.errors == one.errors);
         CHECK(how_it_ended(other) == how_it_ended(one));
     }
-    for (const char* status : {"0", "3", "139", "255"}) {  // 139 is not the signal 11, as the program says
+    for (const char* status : {"0", "3", "139", "255"}) {  // 139 is not signal 11, as its last words say
         CHECK(run(of_child("status", true, {status})).end == End::exited);
         CHECK(run(of_child("status", true, {status})).status == std::atoi(status));
     }

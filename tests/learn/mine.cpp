@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A learner's folder of the test's own, with the solutions of a lesson in it.
+/// A learner's folder for this test, with the solutions of a lesson.
 struct Learner {
     test::Folder folder;
     Workspace workspace = open_workspace(ROOT, folder.path);
@@ -39,7 +39,7 @@ struct Learner {
     void solve(const Exercise& of) const {
         for (const std::string& header : of.headers) write(of, header, solution(of, header));
     }
-    /// The solution with a text in place of another.
+    /// The solution with one text replaced by another.
     void mistake(const Exercise& of, const std::string& header, const std::string& instead_of,
                  const std::string& put) const {
         std::string text = solution(of, header);
@@ -48,7 +48,7 @@ struct Learner {
         write(of, header, text.replace(at, instead_of.size(), put));
     }
 
-    /// The last update of a picture.
+    /// Returns the last update of a picture.
     PictureUpdate draw(const Exercise& of, const Scene& scene, const Options& options) {
         told.clear();
         maker.make(workspace, of, scene, options, [&](PictureUpdate update) { told.push_back(std::move(update)); });
@@ -84,7 +84,7 @@ TEST_CASE("the solutions draw what we draw, to the last pixel, at every stage") 
         CHECK(update.drawing->not_numbers == 0);
         CHECK(update.drawing->image.pixels == render(scene, in_double(stage)).pixels);
     }
-    // The last one, compiled already, with a pinhole and a mesh; and by other rules, turned.
+    // The last lesson, compiled already, with a pinhole and a mesh; and with other rules, turned.
     const Exercise& turns = learner.exercise(5);
     Options options = in_double(5);
     options.turns = {{Axis::z, 20}, {Axis::y, -10}};
@@ -123,7 +123,7 @@ TEST_CASE("what is not begun, deleted or not written is told, and how to go on")
     CHECK(update.words.find("`intersect` is not written yet (") == 0);
     CHECK(update.words.find("2-spheres/sphere.hpp:") != std::string::npos);
 
-    // The roots can be chosen: one rule can wait.
+    // There are two rules for the roots: one of them may be missing.
     learner.mistake(spheres, "sphere.hpp", "const Vec3<Real> d = ray.D;",
                     "return not_written<Roots<Real>>(\"Stable\");\n        const Vec3<Real> d = ray.D;");
     learner.write(spheres, "crossing.hpp", learner.solution(spheres, "crossing.hpp"));
@@ -136,7 +136,7 @@ TEST_CASE("what is not begun, deleted or not written is told, and how to go on")
     update = learner.draw(spheres, scene, textbook);
     CHECK(update.stand == Stand::drawn);
 
-    Exercise speed = spheres;  // as a lesson whose headers no tracer of ours includes
+    Exercise speed = spheres;  // like a lesson whose headers no tracer of ours includes
     speed.number = 7, speed.name = "7-speed", speed.own_picture = OwnPicture::none;
     update = learner.draw(speed, scene, in_double(2));
     CHECK(update.stand == Stand::not_there);
@@ -244,7 +244,7 @@ inline void hostile() {
     const PictureUpdate print = end("print");
     CHECK(print.stand == Stand::failed);
     CHECK(print.spot == Spot{240, 128});
-    CHECK(print.words.find("without ending: an endless loop") != std::string::npos);  // as to time, or as to output
+    CHECK(print.words.find("without ending: an endless loop") != std::string::npos);  // by time, or by output
     CHECK(print.said.find("I am here, and here") == 0);
     const PictureUpdate memory = end("memory");
     CHECK(memory.spot == Spot{240, 128});
@@ -260,7 +260,7 @@ TEST_CASE("numbers that are none are counted, and their pixels known") {
     Learner learner;
     const Exercise& spheres = learner.exercise(2);
     learner.solve(spheres);
-    // 0/0 in every root. Nothing is less or greater than not a number: everything is missed.
+    // 0/0 in every root. Comparisons with NaN are false: everything is missed.
     learner.mistake(spheres, "sphere.hpp", "const Real root = sqrt(discriminant);\n        const Real q",
                     "const Real root = (b - b) / (a - a);\n        const Real q");
     const Scene scene = paper();
@@ -302,14 +302,15 @@ TEST_CASE("lesson 6: what bounds prove is true; what they leave open is counted"
     CHECK(wrong() == 0);
     CHECK(update.drawing->undecided > 0);
     CHECK(update.drawing->undecided < update.drawing->drawn);
-    // The nearest of the six fills the first quarter of the picture's width in its upper half: nothing is open there.
+    // The nearest of the six fills the first quarter of the picture's width in its upper half: nothing is undecided
+    // there.
     for (int y = 0; y < 20; ++y)
         CHECK(update.drawing->states[static_cast<std::size_t>(120 * y + 20)] == SheetPixel::drawn);
     CHECK(update.spot == update.drawing->first_undecided);
     CHECK(update.words.find("undecided: the bounds leave open what is seen there; the first is (") !=
           std::string::npos);
 
-    // A bound that is far too small "proves" what is not so.
+    // A bound that is far too small "proves" what is wrong.
     learner.mistake(rounding, "filter.hpp", "return 9 * u * size;", "return 1e-9 * u * size;");
     update = learner.draw(rounding, scene, certified);
     CHECK(update.stand == Stand::drawn);
@@ -337,7 +338,7 @@ TEST_CASE("the lesson where the learner is") {
     };
     CHECK(present() == 1);
     learner.solve(learner.exercise(3));
-    CHECK(present() == 3);  // begun, so that is where one is
+    CHECK(present() == 3);  // begun, so it is the present lesson
     learner.solve(learner.exercise(2));
     CHECK(present() == 2);
     fs::create_directories(learner.workspace.hidden());

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# How long it takes from saving a header to the result of its tests: measured over 10 edits of a lesson, half of them right
-# and half of them wrong, while `glassbox learn watch` runs. Where all is right in double and float that is told at once: the
-# result. The whole verdict comes when long double is through, too.
+# The time from saving a header to the result of its tests: measured over 10 edits of a lesson, half of them right and
+# half of them wrong, while `glassbox learn watch` runs. What passes in double and float is reported at once: that is
+# the result. The final verdict comes after long double.
 #
 #   tests/learn/save_to_result.sh [PROGRAM [LESSON]]
 set -euo pipefail
@@ -24,7 +24,8 @@ now() { date +%s%N; }
 result='@(✓ In|Lesson)*' verdict='Watching*'
 shopt -s extglob
 
-# wait_for PATTERN: until the watcher tells the next line like that. Starts no programs, which would take time from it.
+# wait_for PATTERN: until the watcher prints the next line that matches. Starts no programs, which would take time from
+# it.
 wait_for() {
     local line deadline=$((SECONDS + 60))
     until IFS= read -r line <&"$told" && [[ $line == $1 ]]; do
@@ -42,7 +43,7 @@ watcher=$!
 exec {told}<"$log"
 wait_for "$verdict"
 
-# The edits: the solution, then it with a mistake, by turns. A comment makes each another file.
+# The edits: alternately the solution, and the solution with a mistake. A comment makes each a different file.
 mapfile -t mistakes < <("$program" learn mistake "$lesson" | awk '{ print $1 }')
 results=() verdicts=()
 for edit in {0..9}; do

@@ -1,5 +1,5 @@
-// What is not closed in a header. Each text has one fault, and the place that is expected is where a reader would put a
-// finger: counted by hand.
+// What is not closed in a header. Each text has one fault, and the expected place is where a reader would point:
+// counted by hand.
 #include "learn/build/unclosed.hpp"
 
 #include <doctest.h>
@@ -59,7 +59,7 @@ TEST_CASE("each branch of an #if may open the brace that is closed behind it; '#
     CHECK(told("#if 0\nwe don't {\n#else\nint x;\n#endif\n") == "");
     CHECK(told("#if 0\n{\n#endif\nvoid f() {\n}\n") == "");
     check_told("#if A\nvoid f() {\n#else\nvoid g() {\n#endif\n", "2:10 This { is never closed");
-    CHECK(told("#if 1\nvoid f() {\n") == "");       // every compiler tells of the #if, at its line
+    CHECK(told("#if 1\nvoid f() {\n") == "");       // every compiler reports the #if, at its line
     CHECK(told("void f() {\n/* and so on") == "");  // and of the comment
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("of a function, or a struct, without its } indentation tells where it 
                "2:10 This { is never closed: its } is missing before line 5.");
     check_told("int f(int x)\n{\n    while (x) {\n        --x;\n    return x;\n}\n",
                "3:15 This { is never closed: its } is missing before line 5.");
-    // Two are missing: the first to mend is the inner one.
+    // Two are missing: correct the inner one first.
     check_told("namespace a {\nint f(int x) {\n    if (x) {\n        return 1;\nint g() {\n    return 2;\n}\n}\n",
                "3:12 This { is never closed: its } is missing before line 5.");
 }
@@ -93,7 +93,7 @@ TEST_CASE("a } too many is named where a namespace ends early, by indentation, o
     check_told("namespace a {\nint f(int x) {\n    if (x) {\n        return 1;\n    }\n    }\n    return 2;\n}\n}\n",
                "6:5 This } is one too many");
     check_told("int f() {\n    return 1;\n}\n}\n", "4:1 This } closes nothing");
-    // The second of two namespaces has it, not the first, which ends where it should.
+    // It is in the second of two namespaces; the first ends where it should.
     check_told("namespace a {\nint x;\n}\nnamespace b {\nint f() {\n    return 1;\n}\n}\n}\n",
                "9:1 This } closes nothing");
 }

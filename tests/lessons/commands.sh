@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # A lesson's commands do what the lesson says: commands.sh GLASSBOX LESSON [SCRATCH]
 #
-# Runs each line of LESSON's README.md that stands in a block of ```sh and begins with ./glassbox, as it is printed, but
-# - what goes to lessons/…/figures/ goes to a scratch folder, and must be the picture that is there, byte for byte;
-# - the viewer draws into a file, for there may be no display;
-# - a learner's folder is one made for this run. `learn test` may fail: nothing has been written in it;
-# - `test` is not run: this is one.
-# Each figure that the lesson shows must be there, and each that is there must be shown.
+# Runs each line of LESSON's README.md that is in a block of ```sh and begins with ./glassbox, as it is printed, except:
+# - output to lessons/…/figures/ goes to a scratch folder, and must equal the existing picture, byte for byte;
+# - the viewer draws into a file, as there may be no display;
+# - a learner's folder is made for this run. `learn test` may fail: nothing has been written in it;
+# - `test` is not run: this is a test itself.
+# Each figure that the lesson shows must exist, and each that exists must be shown.
 set -euo pipefail
 program=$(realpath "$1") lesson=$(realpath "$2")
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)

@@ -1,7 +1,7 @@
-# Code that a lesson shows is code that compiles: awk -f excerpts.awk lessons/*/README.md, from the project's root. A block
-# of C++ that follows the line `<!-- from FILE -->` must stand in FILE, line for line, wherever it is indented. Prints what
-# does not as file:line: error: …; exits with 1 if there is any. A C++ block without such a line is an error, too, unless
-# the line `<!-- not compiled -->` owns up to it.
+# The code that a lesson shows is code that compiles: awk -f excerpts.awk lessons/*/README.md, from the project's root.
+# A block of C++ after the line `<!-- from FILE -->` must be in FILE, line for line, with any indentation. Prints each
+# block that is not as file:line: error: …; exits with 1 if there is any. A C++ block without such a line is an error,
+# too, unless the line `<!-- not compiled -->` says so.
 
 function wrong(line, what) {
     print FILENAME ":" line ": error: " what
@@ -14,7 +14,7 @@ function trimmed(line) {
     return line
 }
 
-# All of a file, a line a line, without indentation; empty if it cannot be read.
+# Reads a whole file, line by line, without indentation; empty if it cannot be read.
 function read_source(file,    line, text) {
     if (file in text_of) return text_of[file]
     text = ""

@@ -1,4 +1,4 @@
-// Bounded keeps its promise, |true − value| ≤ error, against whole numbers that are never rounded.
+// Bounded keeps its promise, |true − value| ≤ error, checked with integers, which are never rounded.
 #include <bounded.hpp>
 #include <magnitude.hpp>
 
@@ -30,7 +30,7 @@ std::string shown(const Bounded& b) {
     return out.str();
 }
 
-/// A Bounded, and a number that it may stand for, as a fixed-point whole number.
+/// A Bounded, and a number that it may stand for, as a fixed-point integer.
 struct Stands {
     Bounded bounded;
     Whole truth;
@@ -79,7 +79,7 @@ Stands any_stands(Doubles& random, double value) {
 
 Stands any_stands(Doubles& random) { return any_stands(random, random.any()); }
 
-/// Does the answer hold, |truth − value| ≤ error, for the truth numerator / denominator?
+/// Whether |truth − value| ≤ error holds for the truth numerator / denominator.
 bool holds(const Bounded& answer, const Whole& numerator, const Whole& denominator) {
     if (!is_known(answer)) return true;
     if (!(answer.error >= 0)) return false;
@@ -96,7 +96,7 @@ bool holds_for_root(const Bounded& answer, const Whole& truth) {
     return most >= 0 && square <= most * most && (least <= 0 || least * least <= square);
 }
 
-/// Two numbers that are likely to disagree with every shortcut: unrelated, or of nearly one size, or nearly equal.
+/// Two numbers likely to defeat any shortcut: unrelated, or of nearly one size, or nearly equal.
 std::pair<Stands, Stands> any_pair(Doubles& random) {
     const Stands a = any_stands(random);
     switch (random.below(4)) {
@@ -177,7 +177,7 @@ TEST_CASE("a comparison that decides is right") {
         REQUIRE(right(a.bounded == b.bounded, a.truth == b.truth));
         REQUIRE(right(a.bounded != b.bounded, a.truth != b.truth));
     }
-    CHECK(decided > rounds);  // of the 6 · rounds that were asked
+    CHECK(decided > rounds);  // of the 6 · rounds comparisons
     CHECK(undecided > rounds / 10);
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("comparisons of numbers without error are decided; unknown ones never"
 
 namespace {
 
-/// A number p/q, without common factors taken out: trees are shallow.
+/// A fraction p/q, not reduced: trees are shallow.
 struct Fraction {
     Whole p, q = 1;
 };
@@ -223,7 +223,7 @@ Tree any_tree(Doubles& random, int depth, int least, int most) {
         return {Bounded(x), {fixed_point(x), one()}};
     }
     const Tree a = any_tree(random, depth - 1, least, most);
-    // Sometimes a's own twin: x − x, x/x and (x + y)·(x − y) cancel to the last bit.
+    // Sometimes a itself: x − x, x/x and (x + y)·(x − y) cancel to the last bit.
     const Tree b = random.one_in(4) ? a : any_tree(random, depth - 1, least, most);
     const auto& [p, q] = a.truth;
     const auto& [r, s] = b.truth;
@@ -264,7 +264,7 @@ TEST_CASE("whole expressions hold: three operations deep, from the smallest numb
     for (int i = 0; i < trees; ++i) {
         const bool ordinary = i % 2 == 0;
         const Tree tree = any_tree(random, 3, ordinary ? -3 : -1000, ordinary ? 3 : 1000);
-        // A root of a root is only near the true one: leave it 2⁻⁹⁰⁰ of room.
+        // A root of a root is only approximated: allow it 2⁻⁹⁰⁰.
         const auto& [p, q] = tree.truth;
         const Bounded& b = tree.bounded;
         if (!is_known(b)) continue;

@@ -1,4 +1,4 @@
-// Dyadic takes every finite double without rounding, and adds and multiplies without.
+// Dyadic represents every finite double, and adds and multiplies, without rounding.
 #include "numerics/dyadic.hpp"
 
 #include <doctest.h>

@@ -19,7 +19,7 @@ Exact exact(double x) { return Exact(x); }
 /// p + q√d.
 Exact surd(double p, double q, double d) { return exact(p) + exact(q) * sqrt(exact(d)); }
 
-/// A number of few bits, so that products stay readable, or of any.
+/// A number of few bits, so that products stay readable, or any number.
 double some(Doubles& random) {
     if (random.one_in(2)) return static_cast<double>(random.below(41)) - 20;
     return random.sign() * random.positive(-40, 40);

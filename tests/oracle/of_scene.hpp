@@ -4,7 +4,7 @@
 #include "oracle/oracle.hpp"
 #include "scene/scene.hpp"
 
-/// The program's scenes and rays, as the oracle takes them.
+/// Converts the program's scenes and rays to the oracle's.
 namespace glassbox::test {
 
 inline oracle::Point to_oracle(const Vec3<double>& v) { return {v.x, v.y, v.z}; }

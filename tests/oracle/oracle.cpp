@@ -19,10 +19,10 @@ namespace mp = boost::multiprecision;
 using Whole =
     mp::number<mp::cpp_int_backend<512, 0, mp::signed_magnitude, mp::unchecked, std::allocator<mp::limb_type>>,
                mp::et_off>;
-/// For telling sizes: 256 bits, and exponents that neither overflow nor underflow.
+/// For comparing sizes: 256 bits, and exponents that neither overflow nor underflow.
 using Long = mp::number<mp::cpp_bin_float<256, mp::digit_base_2, void, std::int64_t>, mp::et_off>;
 
-// Whole numbers
+// Integers
 
 struct Vector {
     Whole x, y, z;
@@ -141,8 +141,8 @@ std::optional<Distance> t_of(const Sphere& sphere, const Ray& ray) {
     if (quarter.sign() < 0) return {};
     const bool starts_inside = c.sign() < 0;
     if (!starts_inside && b.sign() >= 0) return {};  // no root, or none ahead
-    // From inside, or from the surface inwards, the larger root; from outside the smaller one. −b ∓ √ where this adds
-    // two numbers of one sign, else what the other root leaves of their product c/a.
+    // From inside, or from the surface inwards, the larger root; from outside the smaller one. Computes −b ∓ √ where
+    // this adds two numbers of one sign, else divides the roots' product c/a by the other root.
     const int s = c.sign() > 0 ? -1 : 1;
     const long exponent = unit - unit_of_D;
     const Long root = sqrt(Long(quarter)), minus_b(-b);
@@ -162,7 +162,7 @@ std::optional<Distance> t_of(const Surfaces& surfaces, const Rule& rule, std::si
 
 /// Half of an ulp of 1.
 constexpr long double u = std::numeric_limits<long double>::epsilon() / 2;
-/// Products of seven doubles and sums of these neither overflow nor underflow, and lose no bit to underflow.
+/// Whether products of seven doubles and sums of these neither overflow nor underflow, and lose no bit to underflow.
 constexpr bool has_range = std::numeric_limits<long double>::max_exponent > 7 * 1024 + 16 &&
                            std::numeric_limits<long double>::min_exponent < -7 * 1074 - 256;
 
@@ -173,11 +173,11 @@ struct About {
     bool is_positive() const { return value > error; }
     bool is_negative() const { return value < -error; }
     bool is_known() const { return is_positive() || is_negative(); }
-    /// The error as a part of the value.
+    /// The relative error.
     long double part() const { return error / std::abs(value); }
 };
 
-/// Above this part of it the bounds on a quotient are not good enough.
+/// Above this relative error the bounds on a quotient are not good enough.
 constexpr long double too_much = 0x1p-10L;
 
 Meeting meeting_at(std::size_t surface, long double t, long double part) {
@@ -350,8 +350,8 @@ Normal Oracle::normal(const Ray& ray, const Meeting& meeting) const {
     const auto size = [t](double P, long double D, double its_c) {
         return std::abs(static_cast<long double>(P)) + std::abs(t * D) + std::abs(static_cast<long double>(its_c));
     };
-    // Of the half chord, s = √(r² − l²), the square is off by the rounding of f² + r²; so where the ray grazes s is off
-    // by the root of that.
+    // The half chord is s = √(r² − l²), and its square has the rounding error of f² + r²; so where the ray grazes, s is
+    // off by the root of that.
     const long double f = norm(x, y, z), b = (x * dx + y * dy + z * dz) / d;
     const long double square = b * b - f * f + static_cast<long double>(r) * r;
     const long double off = 0x1p-48L * (f * f + static_cast<long double>(r) * r);

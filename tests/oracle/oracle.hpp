@@ -5,12 +5,12 @@
 #include <variant>
 #include <vector>
 
-/// What a ray truly meets. Nothing of the program is in here, neither a header nor a formula nor a number: so the two
-/// can be held against each other.
+/// What a ray truly meets. It uses nothing of the program, neither a header nor a formula nor a number, so that the two
+/// can be compared.
 ///
-/// Doubles are whole numbers times powers of two, and in whole numbers nothing is rounded. Most surfaces are decided
-/// before, in long double with a bound on the error. Its range is so large that no product of seven doubles leaves it;
-/// where a compiler has no such type, all is decided in whole numbers.
+/// Doubles are integers times powers of two, and integer arithmetic rounds nothing. Most surfaces are decided earlier,
+/// in long double with a bound on the error. Its range is so large that no product of seven doubles leaves it; where a
+/// compiler has no such type, everything is decided in integers.
 namespace oracle {
 
 struct Point {
@@ -39,9 +39,9 @@ struct Surfaces {
     std::size_t size() const { return spheres.size() + triangles.size(); }
 };
 
-/// When is a triangle met? Without a tolerance, where the ray goes through a point of it, edges and vertices included,
-/// and does not lie in its plane. With one, where the ray crosses its plane, and of the three weights of that point,
-/// as determinants of vertices and direction, those of the rarer sign add up to less than half of it.
+/// When a triangle is met. Without a tolerance, where the ray goes through a point of it, edges and vertices included,
+/// and does not lie in its plane. With one, where the ray crosses its plane, and of the three weights of that point, as
+/// determinants of vertices and direction, those of the rarer sign add up to less than half of the tolerance.
 struct Rule {
     std::optional<double> tolerance = {};
 };
@@ -58,8 +58,8 @@ struct Answer {
     std::optional<Meeting> first;  ///< the nearest; of those at one distance the one listed last
 };
 
-/// A unit normal, off by no more than 2⁻⁵⁰ times `condition`: that of the formulas that school teaches for it. Where
-/// all digits cancel it is infinite.
+/// A unit normal, off by no more than 2⁻⁵⁰ times `condition`, which is that of the textbook formulas, and infinite
+/// where all digits cancel.
 struct Normal {
     Point n;
     double condition;
@@ -75,7 +75,7 @@ public:
     int compare(const Ray& ray, const Meeting& one, const Meeting& other) const;
     /// The sign of t minus the sum of some doubles.
     int compare(const Ray& ray, const Meeting& meeting, std::initializer_list<double> sum) const;
-    /// |t − the true t| ≤ error?
+    /// Whether |t − the true t| ≤ error.
     bool is_within(const Ray& ray, const Meeting& meeting, long double t, double error) const;
     /// |t − the true t|, to a dozen digits.
     long double error_of(const Ray& ray, const Meeting& meeting, long double t) const;

@@ -1,4 +1,4 @@
-// The oracle itself, by cases whose answers can be seen.
+// The oracle itself, by cases whose answers are obvious.
 #include "oracle/oracle.hpp"
 
 #include <doctest.h>
@@ -126,7 +126,7 @@ TEST_CASE("the rays of views: where they should be, and a little beside") {
     CHECK(ray_error(parallel, 9, 9, 3, 4, {{1 + 3 * 0.1, 2 + 4 * 0.1, 3}, down}) <= 1);
     CHECK(ray_error(parallel, 9, 9, 3, 4, {{1 + 3 * 0.1 + 0x1p-48, 2 + 4 * 0.1, 3}, down}) > 1);
     CHECK(ray_error(parallel, 9, 9, 3, 4, {{1 + 3 * 0.1, 2 + 4 * 0.1, 3}, up}) > 1);
-    // 90° and two pixels: their middles lie 1/2 beside the axis.
+    // 90° and two pixels: their middles are 1/2 from the axis.
     const oracle::View pinhole = oracle::Pinhole{{5, 0, 0}, {0, 0, 0}, up, 90};
     CHECK(ray_error(pinhole, 2, 2, 1, 0, {{5, 0, 0}, {-1, 0.5, -0.5}}) <= 1);
     CHECK(ray_error(pinhole, 2, 2, 1, 0, {{5, 0, 0}, {-1, 0.5 + 1e-12, -0.5}}) > 1);

@@ -14,7 +14,7 @@
 
 namespace glassbox::test {
 
-/// An empty folder of the test's own, removed with all that is in it at the end of its life.
+/// An empty folder of the test's own; the destructor removes it with its contents.
 struct Folder {
     std::filesystem::path path;
 
@@ -38,7 +38,7 @@ struct Folder {
     }
 };
 
-/// Whether the file system there knows files without a name (Linux, ext4 and its like), and /proc is there to name
+/// Whether the file system there supports files without a name (Linux, ext4 and its like), and /proc exists to name
 /// them.
 inline bool can_make_nameless_files([[maybe_unused]] const std::filesystem::path& folder) {
 #ifdef O_TMPFILE
@@ -57,7 +57,7 @@ inline std::string content(const std::filesystem::path& path) {
 
 inline std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
-/// The message of the Error that `work` throws; "" if it throws none.
+/// Returns the message of the Error that `work` throws; "" if it throws none.
 template <class Error, class Work>
 std::string message_of(Work&& work) {
     try {

@@ -48,7 +48,7 @@ bool contains(const Image& sheet, const Image& picture, int factor) {
     return false;
 }
 
-/// Whether nothing touches the sheet's edge: what is cut would.
+/// Whether nothing touches the sheet's edge: text that is cut off would.
 bool has_margin(const Image& sheet) {
     const auto white = [&](int x, int y) { return sheet.at(x, y) == Rgb{255, 255, 255}; };
     for (int x = 0; x < sheet.width; ++x)

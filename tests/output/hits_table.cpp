@@ -1,4 +1,4 @@
-// The table of `glassbox shoot`: what is printed of a bound is a bound.
+// The table of `glassbox shoot`: a printed bound is still a bound.
 #include "output/hits_table.hpp"
 
 #include <doctest.h>

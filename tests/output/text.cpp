@@ -38,7 +38,7 @@ TEST_CASE("text is drawn inside its width, and smoothed") {
 }
 
 TEST_CASE("the font has the signs that our formulas need") {
-    // A character that the font lacks is drawn as the box that stands for U+10FFFF, which no font has.
+    // A character that the font lacks is drawn as the box shown for U+10FFFF, which no font has.
     const Image missing = drawn("\U0010FFFF");
     CHECK(inked_columns(missing).second > 0);
     for (const char* sign : {"·", "×", "²", "√", "≥", "ε", "−", "°", "∞", "⁰", "⁹", "⁻", "ᵉ", "|"}) {

@@ -68,7 +68,7 @@ TEST_CASE("nobody sees a file that is half written") {
         sink(bytes(std::string(2 << 20, 'x')));
         seen = folder.entries();
     });
-    // None where files without a name can be made: then not even SIGKILL leaves any. Else a hidden one.
+    // No entry where files without a name can be made: then not even SIGKILL leaves one. Else a hidden one.
     CHECK(seen == (nameless_files(folder.path) ? 0 : 1));
     CHECK(fs::file_size(folder / "file") == 2 << 20);
 }

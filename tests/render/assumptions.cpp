@@ -1,4 +1,4 @@
-// What the bounds take for granted: it holds here, and when it is taken away, that is noticed.
+// What the bounds assume: it holds here, and when it does not, that is noticed.
 #include "render/assumptions.hpp"
 
 #include <doctest.h>
@@ -16,7 +16,7 @@ using namespace glassbox;
 
 namespace {
 
-/// "what: not in" of all that does not hold.
+/// Returns "what: not in" for everything that does not hold.
 std::vector<std::string> broken(const std::vector<Assumption>& assumptions) {
     std::vector<std::string> names;
     for (const Assumption& each : assumptions)
@@ -60,7 +60,7 @@ namespace {
 
 constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x40;  // of SSE's control word, MXCSR
 
-/// What does not hold when these bits are set: long double computes without SSE.
+/// Returns what does not hold when these bits are set; long double is computed without SSE.
 template <class Try>
 Names broken_with(unsigned bits, const Try& assumptions) {
     const unsigned before = _mm_getcsr();

@@ -1,4 +1,4 @@
-// The scenes that make numbers fail do fail, by the rules that their first lines name; and certified is right in all of
+// The scenes that make numbers fail do fail, by the rules named in their first lines; and certified is right in all of
 // their pixels.
 #include <doctest.h>
 
@@ -30,7 +30,7 @@ Options with(Scalar scalar, TriangleRule triangle_rule = Pluecker{}, SphereRule 
     return options;
 }
 
-/// 36 turns by 10 degrees, added up one by one: rebuilt from its turns at once the view would be where it was.
+/// 36 turns by 10 degrees, added up one by one: rebuilt from all turns at once, the view would be where it was.
 Options once_around(Options options) {
     options.turns.assign(36, {Axis::z, 10});
     options.accumulated = true;
@@ -58,7 +58,7 @@ struct Measured {
 
     long pixels() const { return long{width} * height; }
 
-    /// How many of the part's pixels have a value that pleases.
+    /// Returns how many of the part's pixels have a value that passes the test.
     long count(const std::vector<double>& values, const std::function<bool(double)>& pleases,
                const Part& part = {}) const {
         long found = 0;
@@ -86,7 +86,7 @@ bool odd(double hits) { return static_cast<int>(hits) % 2 == 1; }
 }  // namespace
 
 TEST_CASE("certified is right in every pixel of all of them") {
-    // Those whose pixels need not lie where they do are made smaller.
+    // Scenes whose pixels need not lie exactly where they do are made smaller.
     const struct {
         const char* name;
         int width, height;
@@ -208,6 +208,6 @@ TEST_CASE("turned-36: the rays drift, and what they meet is still told right") {
     long unlike_the_first_row = 0;
     for (std::size_t i = 0; i < drift.size(); ++i) unlike_the_first_row += drift[i] != drift[i % 100];
     CHECK(unlike_the_first_row == 0);
-    // The verdict is about the rays that there are.
+    // The verdict is about the rays as they are.
     CHECK(std::all_of(channels[1][0].values.begin(), channels[1][0].values.end(), is(0)));
 }

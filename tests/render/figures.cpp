@@ -1,5 +1,5 @@
-// The paper's five figures: with the sphere rule of its program our picture and that of the program, rewritten from its
-// description, are equal in every pixel; by the others those differ whose rays only touch a sphere.
+// The paper's five figures: with its program's sphere rule, our picture equals that of the program, rewritten from its
+// description, in every pixel; with the other rules the pixels differ whose rays only touch a sphere.
 #include <doctest.h>
 
 #include <baseline.hpp>
@@ -14,7 +14,7 @@ using namespace glassbox;
 
 namespace {
 
-/// `touched` of its pixels see nothing but the point of a sphere that their ray touches, and are not black there; the
+/// In `touched` of its pixels one sees only the point of a sphere that the ray touches, and it is not black; the
 /// paper's program misses these.
 struct Figure {
     const char* name;
@@ -22,11 +22,11 @@ struct Figure {
     std::size_t touched;
 };
 
-// The ray of column j and row i passes √((j − y)² + (i − z)²) beside the middle of a sphere about (x, y, z). That is
-// the radius where two squares of whole numbers add up to its square: 50² = 0² + 50² = 30² + 40² = 14² + 48² has 4 + 8
-// + 8 points, (±50, 0), (0, ±50), (±30, ±40) and so on; 20² = 0² + 20² = 12² + 16² has 4 + 8. That makes 32, all on
-// black: the red sphere's point that is nearest to the green one's middle, (300 + 16, 300 + 12), is √(34² + 38²) = 51
-// from it, and the green one's to the red one's, (350 − 40, 350 − 30), is 22.
+// The ray of column j and row i passes at √((j − y)² + (i − z)²) from the centre of a sphere about (x, y, z). That is
+// the radius where two squares of integers add up to its square: 50² = 0² + 50² = 30² + 40² = 14² + 48² has 4 + 8 + 8
+// points, (±50, 0), (0, ±50), (±30, ±40) and so on; 20² = 0² + 20² = 12² + 16² has 4 + 8. That makes 32, all on black:
+// the red sphere's point that is nearest to the green one's centre, (300 + 16, 300 + 12), is √(34² + 38²) = 51 from it,
+// and the green one's to the red one's, (350 − 40, 350 − 30), is 22.
 //
 // Ambient light falls on all 32. At a touch n = (0, j − y, i − z)/r, and n·l = (j − y + i − z)/(r √18): above 0 where
 // that sum is, which is half of them, 16, as no sum is 0. The least, of 40 − 30 and of 16 − 12, makes (1/5)/√18 · 255 =

@@ -48,7 +48,7 @@ TEST_CASE("what lies before a triangle whose weights are hardly above their boun
         CHECK(measured(scene, options, "depth") == 4);
         CHECK(measured(scene, options, "verdict") == 0);
     }
-    // What a plain scalar finds is held against the same truth.
+    // What a plain scalar finds is compared with the same truth.
     Options plain;
     plain.scalar = Scalar::double_;
     CHECK(measured(scene, plain, "verdict") == 0);
@@ -125,7 +125,7 @@ TEST_CASE_TEMPLATE("a normal is the same at every size", Real, float, double, lo
             const Vec3<Real> B = scaled(Vec3<Real>{1, 2, 0}, one), C = scaled(Vec3<Real>{-1, 3, 2}, other);
             CHECK(close(unit_normal(Triangle<Real>{{}, B, C}), truth));
         }
-    // Corners whose differences are no numbers: (h, −h, −h) − (−h, −h, −h) and so on, h the largest power of two.
+    // Corners whose differences overflow: (h, −h, −h) − (−h, −h, −h) and so on, h the largest power of two.
     const Real h = std::ldexp(Real(1), std::numeric_limits<Real>::max_exponent - 1);
     if (std::numeric_limits<Real>::max_exponent <= 1024)
         CHECK(close(unit_normal(Triangle<Real>{{-h, -h, -h}, {h, -h, -h}, {-h, h, -h}}), {0, 0, 1}));

@@ -1,4 +1,4 @@
-// Long work: the same bits whatever the number of threads, countable, and stopped when asked.
+// Long work: the same bits for any number of threads, with progress, and stopped on request.
 #include <doctest.h>
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// What the paper's program has for a sphere test, asked for proven answers: the rule's own verdict, without rounding.
-// And how it is judged: by the mathematics, which it is not.
+// The sphere test of the paper's program with proven answers: the rule's own verdict, without rounding. And how it is
+// judged: by the mathematics, from which the rule differs.
 #include <doctest.h>
 
 #include <array>
@@ -103,8 +103,8 @@ TEST_CASE("proven, it is the rule's own verdict, at every scale: whole numbers t
     }
 }
 
-// A sphere about (0, 0, 0) with the radius 5, and a ray along x, 3 beside its middle, from x = −10: half the chord is
-// 4, so it is met after 6, t = 3 for |D| = 2. A larger sphere about both does not count, nor does one that is touched.
+// A sphere about (0, 0, 0) with the radius 5, and a ray along x, 3 from its centre, from x = −10: half the chord is 4,
+// so it is met after 6, t = 3 for |D| = 2. A larger sphere about both does not count, nor does one that is touched.
 TEST_CASE("proven, it finds the nearest of what it meets, with a bound on t") {
     Scene scene;
     scene.spheres = {{{0, 0, 0}, 5, {}}, {{0, 0, 0}, 100, {}}, {{-5, 0, 0}, 3, {}}, {{20, 0, 0}, 7, {}}};
@@ -118,8 +118,8 @@ TEST_CASE("proven, it finds the nearest of what it meets, with a bound on t") {
     }
 }
 
-// 5/4 beside the middle of a sphere of that radius a ray touches it. One double nearer, it goes through: with Δ = r² −
-// y² = 2⁻⁵² · 2.5, which is far below what 1e18, the squared distance, leaves of its digits in doubles.
+// A ray 5/4 from the centre of a sphere of that radius touches it. One double nearer, it goes through: with Δ = r² − y²
+// = 2⁻⁵² · 2.5, which is far below what 1e18, the squared distance, leaves of its digits in doubles.
 TEST_CASE("proven, a hair tells a touch from a hit") {
     Scene scene;
     scene.spheres = {{{0, 0, 0}, 1.25, {}}};

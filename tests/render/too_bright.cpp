@@ -1,4 +1,4 @@
-// Numbers of light beyond all measure: a pixel is as bright as a byte goes, and never black because of a NaN.
+// Light beyond all ranges: a pixel is as bright as a byte allows, and never black because of a NaN.
 #include <doctest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// A turned view of a scene is the view of the scene turned the other way.
+// A turned view of a scene equals the view of the scene turned the other way.
 #include <doctest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Point = Vec3<double>;
 
-/// Rodrigues' formula, on purpose not the one of stage 5: v cos + (k × v) sin + k (k·v)(1 − cos), about the unit axis
+/// Rodrigues' formula, deliberately not the one of stage 5: v cos + (k × v) sin + k (k·v)(1 − cos), about the unit axis
 /// k.
 Point rotated(const Point& v, const Point& k, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
@@ -39,7 +39,7 @@ Scene turned_back(Scene scene, const std::vector<Turn<double>>& turns) {
     return scene;
 }
 
-/// Pixels that differ by more than rounding can: by more than 1 in some channel.
+/// Counts the pixels that differ by more than rounding can: by more than 1 in some channel.
 std::size_t different_pixels(const Image& a, const Image& b) {
     const auto apart = [](int x, int y) { return std::abs(x - y) > 1; };
     std::size_t different = 0;
@@ -73,7 +73,7 @@ TEST_CASE("--turn equals an independent rotation of the whole scene the other wa
         const Image other_way = render(turned_back(scene, turns), {});
         // Outlines of the surfaces are about 700 pixels long; almost none of their pixels is a tie.
         CHECK(different_pixels(turned, other_way) < 25);
-        CHECK(different_pixels(turned, render(scene, {})) > 1000);  // and something did turn
+        CHECK(different_pixels(turned, render(scene, {})) > 1000);  // the view did turn
     }
 }
 

@@ -50,7 +50,8 @@ std::string said(const Scene& scene, const Options& options, const char* what) {
     return said(scene, options, {find_measurement(what)}).at(what);
 }
 
-/// Of all measurements: those of boxes by themselves, as they choose the engine, and the others then take it, too.
+/// The reasons of all measurements: those of boxes are requested separately, because they choose the engine, which the
+/// others then use, too.
 Reasons all_said(const Scene& scene, const Options& options) {
     std::vector<const Measurement*> of_boxes, others;
     for (const Measurement& each : measurements()) (each.needs.boxes ? of_boxes : others).push_back(&each);

@@ -11,7 +11,7 @@
 
 namespace glassbox::test {
 
-/// A new folder for files, gone when the test is over.
+/// A new folder for files, removed when the test is over.
 class Folder {
 public:
     Folder() {
@@ -37,7 +37,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// What the work complains of, without the folder's name: "a.toml:3:9: error: …"; "no error" if it does not.
+/// Returns what the work complains of, without the folder's name: "a.toml:3:9: error: …"; "no error" if it does not.
 template <class Work>
 std::string complaint(const Folder& folder, const Work& work) {
     try {

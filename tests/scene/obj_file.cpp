@@ -38,7 +38,7 @@ TEST_CASE("All four ways to write a corner") {
 }
 
 TEST_CASE("Negative numbers count back from the face, not from the file's end") {
-    // When the face is met there are 3 vertices: -3 is the first.
+    // When the face is read there are 3 vertices: -3 is the first.
     CHECK(read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1 1 -2\n").faces == Faces{{0, 1, 2}, {3, 0, 2}});
 }
 

@@ -1,4 +1,4 @@
-// Each bad input that we know of, and the very line that its writer gets to read.
+// Each bad input that we know of, and the exact line that its author reads.
 #include "scene/files.hpp"
 #include "scene/scene_file.hpp"
 
@@ -14,7 +14,7 @@ std::string complaint_about(std::string_view toml) {
     return complaint(folder, [&] { read_scene(file); });
 }
 
-/// The complaint about a value of one key, the value's place left out: it must be line 2, after "key = ".
+/// Returns the complaint about a value of one key, without the value's place: that must be line 2, after "key = ".
 std::string about(const std::string& section, const std::string& key, const std::string& value) {
     std::string message = complaint_about(section + "\n" + key + " = " + value + "\n");
     const std::string where = "a.toml:2:" + std::to_string(key.size() + 4) + ": error: ";
@@ -327,7 +327,7 @@ TEST_CASE("Meshes that cannot be had") {
     const auto scene = folder.write("a.toml", "\n[[mesh]]\nfile = 'parts'\n");
     CHECK(complaint(folder, [&] { read_scene(scene); }) ==
           std::string("a.toml:3:8: error: cannot read the mesh 'parts': it is a directory, not a file") + relative);
-    // What is wrong inside the OBJ file is told with a place there.
+    // An error inside the OBJ file is reported with a place there.
     folder.write("bad.obj", "v 0 0 0\nf 1 1 2\n");
     const auto other = folder.write("b.toml", "[[mesh]]\nfile = 'bad.obj'\n");
     CHECK(complaint(folder, [&] { read_scene(other); }) ==

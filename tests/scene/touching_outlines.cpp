@@ -1,5 +1,5 @@
-// Outlines that touch themselves, made of cells of a grid, so that it is known what they go around. All is whole
-// numbers, and nothing is rounded: neither here, nor, if it is right, in what is tested.
+// Outlines that touch themselves, made of cells of a grid, so that what they go around is known. Everything is in
+// integers, and nothing is rounded: neither here, nor, if it is right, in the code under test.
 #include <doctest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ bool lies_within(const Place& p, const Place& a, const Place& b) {
     return p != a && p != b && twice_area(a, b, p) == 0 && std::min(a, b) < p && p < std::max(a, b);
 }
 
-/// How often each way is gone from place to place, less how often back.
+/// How often each edge is walked from place to place, minus how often back.
 using Ways = std::map<std::pair<Place, Place>, int>;
 
 void go(Ways& ways, const Place& a, const Place& b) {
@@ -68,10 +68,10 @@ void go_around(const Outline& corners, const Go& go) {
     for (std::size_t k = 0; k < corners.size(); ++k) go(corners[k], corners[(k + 1) % corners.size()]);
 }
 
-/// Whether the triangles are what the outline goes around, each point once: all run its way, none is flat, and their
-/// edges, each cut where a corner lies on it, cancel each other out but for the outline's own. Then the sum of the
-/// triangles' winding numbers is the outline's, wherever a point is chosen. If no corner touches an edge, the edges
-/// cancel out as they are: beside another polygon there is no crack.
+/// Whether the triangles are what the outline goes around, each point once: all have its orientation, none is flat, and
+/// their edges, each cut where a corner lies on it, cancel each other out but for the outline's own. Then the sum of
+/// the triangles' winding numbers is the outline's at every point. If no corner touches an edge, the edges cancel out
+/// as they are: there is no crack beside another polygon.
 bool fills(const Triangles& triangles, const Outline& outline) {
     const std::set<Place> stops(outline.begin(), outline.end());
     const bool runs_left = twice_area(outline) > 0;
@@ -110,7 +110,7 @@ std::vector<Vec3<double>> in_space(const Outline& outline, int plane) {
 }
 constexpr int planes = 4;
 
-/// Begun at each corner, both ways round.
+/// Checks the outline from each corner, both ways round.
 void check_all_ways(Outline outline, int plane) {
     for (std::size_t way = 0; way < 2 * outline.size(); ++way) {
         const Triangles triangles = triangulate(in_space(outline, plane));
@@ -148,9 +148,9 @@ struct Patch {
     std::set<Cell> cells;  ///< what the outline goes around, counter-clockwise
 };
 
-/// Grows from a cell: at some corner the outline goes around another one, too, or along an edge and back. Then some of
-/// what it walks there and back, at once, is left out, and some corners where it goes straight on: cells grow together,
-/// rows of corners become edges, and others come to touch them. Two edges never go on through the same place.
+/// Grows from a cell: at some corner the outline is led around another one, too, or along an edge and back. Then some
+/// walks straight there and back are left out, and some corners where it goes straight on: cells grow together, rows of
+/// corners become edges, and others come to touch them. Two edges never go on through the same place.
 Patch random_patch(Random& random, std::size_t growth) {
     const Cell first = cells_around({0, 0})[0];
     Patch patch{{first.begin(), first.end()}, {by_least_corner(first)}};
@@ -196,7 +196,7 @@ Outline spiral(std::int64_t rounds) {
     return outer;
 }
 
-/// A bar with teeth, each a unit wide and as far from the next, cut to a point or not, and corners along its back.
+/// A bar with teeth, each one unit wide and one unit apart, pointed or not, and corners along its back.
 Outline comb(std::int64_t teeth, bool is_sharp) {
     Outline outline;
     for (std::int64_t x = 0; x <= 2 * teeth; ++x) outline.push_back({x, 0});
@@ -300,7 +300,7 @@ TEST_CASE("A spiral of twelve thousand corners, upright and turned, takes no tim
         const auto start = std::chrono::steady_clock::now();
         const Triangles triangles = triangulate(in_space(outline, 0));
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        CHECK(seconds.count() < 5);  // it takes about 0.01; cutting ears, all of them, took a minute
+        CHECK(seconds.count() < 5);  // it takes about 0.01; cutting only ears took a minute
         CHECK(triangles.size() == outline.size() - 2);
         std::int64_t sum = 0;
         for (const auto& [a, b, c] : triangles) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# ./glassbox builds wherever its folder lies: folders.sh GLASSBOX
+# ./glassbox builds wherever its folder is: folders.sh GLASSBOX
 #
-# In each of some folders stands a copy of the script with a program of one line in the place of ours. Built once, it is
+# Each of several folders gets a copy of the script, with a program of one line in the place of ours. Once built, it is
 # built again when a header changes, and only then.
 set -euo pipefail
 script=$(realpath "$1")
@@ -9,7 +9,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export XDG_CACHE_HOME=$scratch/cache
 
-# No package is missing, whatever the system.
+# Pretend that no package is missing, on any system.
 mkdir "$scratch/stubs"
 cat >"$scratch/stubs/dpkg-query" <<'END'
 #!/bin/sh
@@ -50,7 +50,7 @@ int main() { std::puts(std::filesystem::is_directory(SCENES) ? ANSWER : "no scen
 END
 }
 
-# says ANSWER STDERR: what the script then prints, and says besides.
+# says ANSWER STDERR: what the script then prints on stdout and on stderr.
 says() {
     local out
     out=$("$folder/glassbox" doctor 2>"$scratch/err") || { cat "$scratch/err" >&2; wrong "it failed"; return; }
@@ -69,7 +69,7 @@ for name in plain 'two words, zwölf Äpfel, 管' $'all of \'"&;^|<>`*?:$#(){}[]
     says second ''
 done
 
-# CMake itself takes a backslash for a folder's end.
+# CMake itself takes a backslash for a path separator.
 name='back\slash' folder=$scratch/$name
 make_project "$folder"
 if "$folder/glassbox" doctor 2>"$scratch/err"; then wrong "it did not refuse"; fi

@@ -9,7 +9,7 @@
 #include <support/ulps.hpp>
 #include <vec3.hpp>
 
-/// What the stages' tests have in common: sizes to try, numbers to throw, and checks of whole vectors.
+/// What the stages' tests share: sizes to try, random numbers, and checks of whole vectors.
 namespace glassbox {
 
 template <class Real>
@@ -103,11 +103,11 @@ void check_within(const T& got, const T& expected, const T& most, const char* ex
 /// Equal in every bit, but for the sign of zero.
 #define CHECK_EXACT(got, expected) CHECK_ULPS(got, expected, 0)
 
-/// Tells which ray is traced now against which surface, a sphere or a triangle: if a check fails, that is what to look
-/// at.
+/// Records which ray is traced now against which surface, a sphere or a triangle: if a check fails, that is what to
+/// look at.
 #define CAPTURE_RAY(ray, surface) glassbox::test::trace((ray), (surface))
 
-/// The scalars that every property is shown for. `glassbox learn` asks for one after the other, to answer sooner.
+/// The scalars that every property is checked for. `glassbox learn` runs one after the other, to answer sooner.
 #ifndef EVERY_SCALAR
 #define EVERY_SCALAR float, double, long double
 #endif

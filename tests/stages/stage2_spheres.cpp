@@ -1,4 +1,4 @@
-// Stage 2: where a ray meets a sphere, by two rules for the same two roots, and by what the paper's program had for
+// Stage 2: where a ray meets a sphere, by two rules for the same two roots, and by the rule of the paper's program for
 // one; and which of several hits comes first.
 #include <cmath>
 #include <levental_2014.hpp>
@@ -31,7 +31,7 @@ Roots<Real> roots_of(const Ray<Real>& ray, const Sphere<Real>& sphere, const Rul
 template <class Real>
 const Sphere<Real> five{{0, 0, 0}, 5};  // r = 5 about the origin
 
-/// A rule that answers what it was told to: so `intersect` is tested alone, whoever computes the roots.
+/// A rule that returns what it was given, to test `intersect` alone, whoever computes the roots.
 template <class Real>
 struct Given {
     Roots<Real> roots;
@@ -53,7 +53,7 @@ Crossing<Real> first_of(Real t0, Real t1) {
     return intersect_given<Real>({true, t0, t1});
 }
 
-/// A probe that keeps what a sphere's test tells, and counts how often.
+/// A probe that keeps what a sphere's test reports, and counts how often.
 template <class Real>
 struct SphereProbe {
     int tested = 0, discriminants = 0, roots = 0;
@@ -66,7 +66,7 @@ struct SphereProbe {
     void operator()(told::Roots, const Real& a, const Real& b) { ++roots, t0 = a, t1 = b; }
 };
 
-// What holds for the roots must hold whoever computes them: each of these is run with Textbook and with Stable.
+// Properties of the roots must hold whoever computes them: each of these runs with Textbook and with Stable.
 
 template <class Real, class Rule>
 void half_a_chord_is_four(const Rule& rule) {
@@ -80,7 +80,7 @@ void half_a_chord_is_four(const Rule& rule) {
 template <class Real, class Rule>
 void a_line_that_passes_by_has_no_roots(const Rule& rule) {
     CHECK_FALSE(roots_of({{-10, 6, 0}, {1, 0, 0}}, five<Real>, rule).real);
-    CHECK_FALSE(roots_of({{-10, 4, 4}, {1, 0, 0}}, five<Real>, rule).real);  // sqrt 32 > 5 beside the middle
+    CHECK_FALSE(roots_of({{-10, 4, 4}, {1, 0, 0}}, five<Real>, rule).real);  // sqrt 32 > 5 from the centre
 }
 
 template <class Real, class Rule>
@@ -100,7 +100,7 @@ void a_tangent_has_one_root_twice(const Rule& rule) {
     for (const Real size : sizes<Real>) {
         CAPTURE(size);
         const Sphere<Real> sphere{{0, 0, 0}, 5 * size};
-        // 5 beside the middle of radius 5: it touches at x = 0, 10 from the start
+        // 5 from the centre, radius 5: it touches at x = 0, 10 from the start
         const Roots<Real> tangent = roots_of({{-10 * size, 5 * size, 0}, {1, 0, 0}}, sphere, rule);
         CHECK(tangent.real);
         CHECK_EXACT(tangent.t0, 10 * size);
@@ -207,7 +207,7 @@ void roots_are_ordered_and_on_the_sphere(const Rule& rule) {
 
 template <class Real, class Rule>
 void the_discriminant_is_told(const Rule& rule) {
-    // 3 beside the middle of radius 5: r^2 - 3^2 = 16, times D.D = 4; and 6 beside it: 25 - 36 = -11, times 4
+    // 3 from the centre, radius 5: r^2 - 3^2 = 16, times D.D = 4; and 6 from it: 25 - 36 = -11, times 4
     SphereProbe<Real> hit, miss;
     const Ray<Real> inner{{-10, 3, 0}, {2, 0, 0}}, outer{{-10, 6, 0}, {2, 0, 0}};
     CAPTURE_RAY(inner, five<Real>);
@@ -230,7 +230,7 @@ void doubt_is_handed_on(const Rule& rule) {
     CHECK_FALSE(surely(roots.real));
 }
 
-// And what holds for `intersect`, with real roots.
+// Properties of `intersect`, with real roots.
 
 template <class Real, class Rule>
 void spheres_are_met_where_they_should_be(const Rule& rule) {
@@ -412,7 +412,7 @@ TEST_CASE_TEMPLATE("intersect: by the rule of the paper's program a touch is a m
         const auto beside = [&](Real y, Real z) {
             return shoot<Real>({{-10 * size, y * size, z * size}, {1, 0, 0}}, sphere, rule);
         };
-        CHECK_FALSE(beside(5, 0).met);  // 5 beside the middle of radius 5; and again, as 3^2 + 4^2 = 5^2
+        CHECK_FALSE(beside(5, 0).met);  // 5 from the centre, radius 5; and again, as 3^2 + 4^2 = 5^2
         CHECK_FALSE(beside(3, 4).met);
         CHECK_FALSE(beside(6, 0).met);
         CHECK(beside(Real(4.75), 0).met);
@@ -474,7 +474,7 @@ TEST_CASE_TEMPLATE("intersect: the rule of the paper's program asks for Δ > 0, 
             const Vec3<Real> P = dice.vector(20 * size), to_center = dice.vector(10 * size);
             const Vec3<Real> aside = unit(cross(to_center, dice.vector(Real(1))));
             const Real r = dice.between(size, 3 * size), off = epsilon<Real> * static_cast<Real>(dice.whole(-4, 4));
-            // A line along to_center, r beside the middle.
+            // A line along to_center, r from the centre.
             const Ray<Real> ray{P + r * (1 + off) * aside, to_center};
             const Sphere<Real> sphere{P + to_center, r};
             CAPTURE_RAY(ray, sphere);

@@ -1,4 +1,4 @@
-// Stage 3: side products, which of them weighs which vertex, and who belongs to a triangle.
+// Stage 3: side products, which of them is the weight of which vertex, and which points belong to a triangle.
 #include <probe.hpp>
 #include <triangle.hpp>
 #include <vector>
@@ -17,7 +17,7 @@ Crossing<Real> shoot(const Ray<Real>& ray, const Triangle<Real>& triangle, const
     return intersect(ray, triangle, rule, silent);
 }
 
-/// A probe that keeps what the tolerance rule tells.
+/// A probe that keeps what the tolerance rule reports.
 template <class Real>
 struct DeficitProbe {
     Real sum{}, deficit{};
@@ -27,7 +27,7 @@ struct DeficitProbe {
     void operator()(told::Deficit, const Real& s, const Real& d) { sum = s, deficit = d; }
 };
 
-/// A probe that keeps what Plücker's test tells, and counts how often.
+/// A probe that keeps what Plücker's test reports, and counts how often.
 template <class Real>
 struct TriangleProbe {
     int tested = 0, corners = 0, sides = 0;
@@ -496,7 +496,7 @@ TEST_CASE_TEMPLATE("at a vertex opposite signs are not enough: a lost ray there 
             worst = std::max(worst, std::abs(side(D, A, B)) / (4 * epsilon<Real> * size));
         }
     }
-    CHECK(worst <= 1);  // at once, and not for each ray: a wrong `side` would fail tens of thousands of times
+    CHECK(worst <= 1);  // one check, not one per ray: a wrong `side` would fail tens of thousands of times
     CHECK(lost > 0);
     CHECK(lost < 20000 / 4);  // three signs that fall as they like agree in one case of four
 }
@@ -539,9 +539,9 @@ TEST_CASE_TEMPLATE("the deficit is twice the smaller of the positive and the neg
 }
 
 TEST_CASE("the tolerance refuses good hits of a large triangle") {
-    // Both rays are aimed at exactly the middle of the edge BC, which belongs to the triangle; every coordinate is
-    // whole. The true a is 0. Its terms are of size 1e29, so rounding may leave it anywhere within some 1e13, and where
-    // it comes out below 0, twice that stands against a tolerance of 10.
+    // Both rays are aimed at exactly the middle of the edge BC, which belongs to the triangle; every coordinate is an
+    // integer. The true a is 0. Its terms are of size 1e29, so rounding may leave it anywhere within some 1e13, and
+    // where it comes out below 0, twice its size is compared with a tolerance of 10.
     const Triangle<double> large{{0, 0, 0}, {1e10, 0, 0}, {0, 1e10, 0}};
     const Vec3<double> middle{5e9, 5e9, 0};
     int refused = 0;

@@ -250,7 +250,7 @@ TEST_CASE_TEMPLATE("the front of the paper's green sphere, in its final picture:
 
 namespace {
 
-/// A probe that keeps what it is told, the last of each.
+/// A probe that keeps what is reported to it, the last of each.
 struct Kept {
     double n_l = 0, n_r = 0, n_h = 0, r_m = 0, ambient = 0, diffuse = 0, specular = 0;
     Vec3<double> h, reflection;
@@ -267,7 +267,7 @@ struct Kept {
     void operator()(told::SpecularTerm, double value) { specular = value; }
 };
 
-/// What shading tells with the light from `slanted`, seen from `mirrored`, n = up, and I = 0.5.
+/// What shading reports with the light from `slanted`, seen from `mirrored`, n = up, and I = 0.5.
 Kept told_by(ShadingModel model) {
     const Light<double> light = directional_light(Vec3<double>{3, 0, 4}, 0.5);
     Shading<double> shading = full<double>(model, 2);

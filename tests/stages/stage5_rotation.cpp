@@ -38,7 +38,7 @@ Rotation<Real> turns(const std::vector<Turn<Real>>& list) {
     return rotation<Real>(list);
 }
 
-/// What is left of a rotation's difference from another, as the largest of its nine numbers.
+/// The difference of two rotations: the largest of the nine numbers' differences.
 template <class Real>
 Real apart(const Rotation<Real>& R, const Rotation<Real>& S) {
     const auto most = [](const Vec3<Real>& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };

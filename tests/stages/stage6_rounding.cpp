@@ -1,5 +1,5 @@
 // Stage 6: bounds on rounding. They must hold, and they must not be so large that they say nothing. The truth is
-// computed in whole numbers of 128 bits, which round nothing: all inputs here are whole.
+// computed in integers of 128 bits, which round nothing: all inputs here are integers.
 #include <bounded.hpp>
 #include <filter.hpp>
 #include <magnitude.hpp>
@@ -47,7 +47,7 @@ __extension__ typedef __int128 Whole;
 constexpr double u = 0x1p-53;  // the largest relative error of one operation
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A bound is checked to be the one that is expected, within a few of its own roundings.
+/// A bound must be the expected one, within a few of its own roundings.
 constexpr double nearly = 0x1p-40;
 
 Whole whole(double value) { return static_cast<Whole>(value); }
@@ -96,8 +96,7 @@ Vec3<double> whole_vector(Dice& dice, double size) {
 
 }  // namespace
 
-// --- Bounded +
-// ----------------------------------------------------------------------------------------------------------
+// Bounded +
 
 TEST_CASE("a sum adds up both errors, and its own rounding") {
     // (3 ± 1/4) + (5 ± 1/2) = 8 ± 3/4, and 8 may be off by 8u
@@ -132,8 +131,7 @@ TEST_CASE("the error of a sum is itself rounded upwards") {
     CHECK_AT_MOST(sum.error, 0x1p53 * (1 + nearly));
 }
 
-// --- Bounded ·
-// ----------------------------------------------------------------------------------------------------------
+// Bounded ·
 
 TEST_CASE("a product's error: each error times the other factor, and both errors' product") {
     // (3 ± 1/4)(5 ± 1/2) is at most 3.25 · 5.5 = 17.875: 2.875 = 3/2 + 5/4 + 1/8 away from 15, which may be off by 15u
@@ -167,8 +165,7 @@ TEST_CASE("a product that underflows is not exactly 0; one with an exact 0 is") 
     CHECK_EXACT((Bounded(5, infinity) * Bounded(0)).value, 0.0);
 }
 
-// --- Bounded <
-// ----------------------------------------------------------------------------------------------------------
+// Bounded <
 
 TEST_CASE("less is sure where the intervals lie apart, undecided where they overlap") {
     CHECK_EXACT(said(Bounded(1, 0.25) < Bounded(2, 0.25)), Said{"yes"});  // at most 1.25, at least 1.75
@@ -216,12 +213,11 @@ TEST_CASE("running bounds hold for the side products of any ray, and decide most
         if (surely(negative) || !possibly(negative)) CHECK(surely(negative) == (truth < 0));
         undecided += !surely(negative) && possibly(negative);
     }
-    // s is a sum of six terms up to 2¹²⁰, and its bound some 2⁻⁵¹ of that: nearer to 0 hardly any falls
+    // s is a sum of six terms up to 2¹²⁰, and its bound some 2⁻⁵¹ of that: hardly any s is nearer to 0
     CHECK_AT_MOST(undecided, 0);
 }
 
-// --- Magnitude
-// ----------------------------------------------------------------------------------------------------------
+// Magnitude
 
 TEST_CASE("a sum of magnitudes adds sizes") {
     CHECK_EXACT((Magnitude(3.0) + Magnitude(5.0)).size, 8.0);
@@ -243,8 +239,7 @@ TEST_CASE("a product of magnitudes multiplies sizes, and a formula adds up its t
     CHECK_EXACT(cross(convert<Magnitude>(one), convert<Magnitude>(one)).z.size, 2.0);
 }
 
-// --- sides_error
-// --------------------------------------------------------------------------------------------------------
+// sides_error
 
 TEST_CASE("the filter's bound is 8u S and a little more, S the largest sum of sizes") {
     // From the origin along (1, 1, 1), A = (3, 0, 0), B = (0, 5, 0), C = (0, 0, 7): the sides' sizes are 5·7, 7·3 and

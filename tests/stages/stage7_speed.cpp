@@ -1,5 +1,5 @@
 // Stage 7: boxes around surfaces. A ray's way through a box, which loses no hit to rounding; where to cut boxes in two;
-// and the walk through a tree of boxes, which finds what the plain loop finds and looks at little of it.
+// and the walk through a tree of boxes, which finds what the plain loop finds and tests only a few surfaces.
 #include <box.hpp>
 #include <probe.hpp>
 #include <slabs.hpp>
@@ -33,8 +33,7 @@ Interval<Real> through(const Box& box, const Ray<Real>& ray) {
     return engine::through(box, ray.P, Vec3<Real>{1 / ray.D.x, 1 / ray.D.y, 1 / ray.D.z});
 }
 
-// --- slab
-// ------------------------------------------------------------------------------------------------------------
+// slab
 
 TEST_CASE_TEMPLATE("slab: it is entered where the ray crosses lo, and left where it crosses hi", Real, EVERY_SCALAR) {
     // x = -2 + 2t: 2 at t = 2, 6 at t = 4
@@ -94,10 +93,9 @@ TEST_CASE_TEMPLATE("slab: its faces belong to it, for a ray that runs along one,
     }
 }
 
-// --- through
-// ---------------------------------------------------------------------------------------------------------
+// through
 
-/// What an exit may be widened by, at most: 32 times the largest error of one operation, where 8 times it is enough.
+/// The most that an exit may be widened by: 32 times the largest error of one operation, where 8 times is enough.
 template <class Real>
 constexpr Real a_little = 16 * epsilon<Real>;
 
@@ -146,7 +144,7 @@ TEST_CASE_TEMPLATE("through: a flat box is met", Real, EVERY_SCALAR) {
 }
 
 /// A box that the ray meets in one point only, Q = P + tD: it leaves along `from` where it enters along `to`. All
-/// numbers are whole, so that this is exactly so. `gap` moves the box away from it along `to`.
+/// numbers are integers, so that this is exact. `gap` moves the box away from it along `to`.
 template <class Real>
 Box grazed(const Vec3<Real>& Q, const Vec3<Real>& D, int from, int to, Real gap) {
     const Real q[3] = {Q.x, Q.y, Q.z}, d[3] = {D.x, D.y, D.z};
@@ -193,8 +191,7 @@ TEST_CASE_TEMPLATE("through: a box that the ray misses by a hair is missed", Rea
     CHECK_EXACT(missed_of_3000(Real(0.25)), 3000.0);
 }
 
-// --- best_cut
-// --------------------------------------------------------------------------------------------------------
+// best_cut
 
 /// Half the area of the box around some boxes, times their number, without the header under test.
 float cost_of(std::span<const Box> boxes) {
@@ -264,8 +261,7 @@ TEST_CASE("best_cut: no other cut is better, for boxes of all sizes in any order
     }
 }
 
-// --- nearer
-// ----------------------------------------------------------------------------------------------------------
+// nearer
 
 template <class Real>
 using Best = std::optional<Hit<Real>>;
@@ -294,8 +290,7 @@ TEST_CASE_TEMPLATE("nearer: at equal t a larger number that came before stays", 
     CHECK_COUNT(engine::nearer<Real>(Hit<Real>{8, 2}, 5, {true, 2}).value().surface, 8);
 }
 
-// --- is_beyond
-// -------------------------------------------------------------------------------------------------------
+// is_beyond
 
 TEST_CASE_TEMPLATE("is_beyond: nothing is, before there is a hit", Real, EVERY_SCALAR) {
     CHECK_FALSE(engine::is_beyond<Real>(Real(1e30), {}));
@@ -317,8 +312,7 @@ TEST_CASE_TEMPLATE("is_beyond: a box that begins at the hit, or as near as round
     CHECK_FALSE(engine::is_beyond(4 + 4 * epsilon<Real>, best));
 }
 
-// --- walk
-// ------------------------------------------------------------------------------------------------------------
+// walk
 
 Branch halves(const Box& box, std::uint32_t first) { return {box, first, 0}; }
 Branch leaf(const Box& box, std::uint32_t first, std::uint32_t count = 1) { return {box, first, count}; }

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <stdexcept>
 
-/// Numbers that do not always know which of two is the larger, as those of lesson 6: a formula must live with that.
+/// Numbers that do not always know which of two is larger, like those of lesson 6: a formula must cope with that.
 namespace glassbox::test {
 
-/// Yes, no or undecided. Whoever takes it for a bool, as a bare `if (t > 0)` does, is found out.
+/// Yes, no or undecided. Code that takes it for a bool, as a bare `if (t > 0)` does, is detected.
 class UnsureTruth {
 public:
     constexpr UnsureTruth(bool truth) : state_(truth ? State::yes : State::no) {}
@@ -35,7 +35,7 @@ private:
     State state_;
 };
 
-/// A number that is known to within 1: how it compares with one that is no further away is undecided.
+/// A number that is known to within 1: comparing it with one that is no further away is undecided.
 struct Unsure {
     double value = 0;
 

@@ -3,15 +3,15 @@
 
 namespace glassbox::test {
 
-/// The ray that a test has traced last, and the surface that it was traced against: when a check fails, `glassbox
-/// learn` makes a scene of them that the viewer can open.
+/// The ray that a test traced last, and the surface that it was traced against: when a check fails, `glassbox learn`
+/// makes a scene of them that the viewer can open.
 struct TracedRay {
     std::array<double, 6> ray{};      ///< P and D
     std::array<double, 9> surface{};  ///< a sphere's centre and radius, or a triangle's vertices
     int numbers = 0;                  ///< how many of those: 4, 9, or 0 when nothing was traced
 };
 
-/// There is one, since a test that fails has no other way to hand it to whoever reports the failure.
+/// A global, since a failing test has no other way to hand it to the reporter.
 inline TracedRay& last_traced_ray() {
     static TracedRay last;
     return last;

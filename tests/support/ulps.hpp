@@ -51,8 +51,8 @@ struct Difference {
     double ulps;
 };
 
-// Count a check. They are functions, and not a macro's many lines: tests compile in half the time, and a learner waits
-// for them to compile after each change.
+// Count a check. These are functions, not a long macro, so that tests compile in half the time: a learner waits for
+// them to compile after each change.
 void passed();
 void failed(const Difference& difference);
 

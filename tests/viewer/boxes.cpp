@@ -1,5 +1,4 @@
-// The engine's boxes, level by level: what is drawn is what there is, and what the pinned ray does is what the search
-// does.
+// The engine's boxes, level by level: what is drawn exists, and what the pinned ray does is what the search does.
 #include "viewer/model/space/boxes_in_space.hpp"
 
 #include <doctest.h>
@@ -80,7 +79,7 @@ Scene two_clusters() {
     return scene;
 }
 
-/// Which boxes are above each surface, itself in a leaf: the leaf's code first, the root's last.
+/// The boxes above each surface: its leaf's code first, the root's last.
 std::map<std::uint32_t, std::vector<std::uint32_t>> ways_up(const engine::Engine& all) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> result;
     const engine::Hierarchy& tree = all.hierarchy();
@@ -102,7 +101,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> ways_up(const engine::Engine
     return result;
 }
 
-/// Hears which surfaces a search meets.
+/// A probe that records which surfaces a search meets.
 struct MetSurfaces {
     std::vector<std::uint32_t> numbers;
 
@@ -273,7 +272,7 @@ TEST_CASE("the ray's boxes are all those above the surfaces that it meets; the s
         CHECK(boxes_on_level(levels, levels.deepest(), &boxes).met == leaves_met);
     }
     CHECK(met_in_all > rays.size());
-    CHECK(skipped > rays.size());  // the first hit spares boxes
+    CHECK(skipped > rays.size());  // behind the first hit, boxes are not opened
 }
 
 TEST_CASE("the nodes opened are those that `measure --what nodes` counts") {
@@ -384,7 +383,7 @@ TEST_CASE("the key b: from off to level 0, deeper until the deepest; with Shift 
     CHECK(shown.state.box_level == deepest - 1);
     for (int i = 0; i < deepest; ++i) press(true);
     CHECK_FALSE(shown.state.box_level);
-    // No change that undo would take back.
+    // Undo does not concern them.
     CHECK_FALSE(shown.state.setup.can_undo());
 }
 
@@ -401,7 +400,7 @@ TEST_CASE("boxes are made when they are shown, and let go when they are not; ano
     viewer.settle();
     REQUIRE(viewer.results().boxes);
     CHECK(viewer.results().boxes->engine->size() == 1);
-    // Turns and light leave them as they are; a stage may not.
+    // Turns and light do not change them; a stage may.
     const auto before = viewer.results().boxes;
     viewer.state().setup.change(turned(viewer.state().setup.now(), Axis::z, 10));
     viewer.settle();
@@ -434,7 +433,7 @@ TEST_CASE("the button lies on the space view: a click on it shows boxes, and doe
     while (y < 380 && !viewer.state().box_level) drag(30, y += 5, 32);
     REQUIRE(viewer.state().box_level == 0);
     CHECK(viewer.state().orbit == before);
-    drag(150, y + 60, 170);  // beside it
+    drag(150, y + 60, 170);  // beside the button
     CHECK_FALSE(viewer.state().orbit == before);
 }
 

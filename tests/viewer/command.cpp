@@ -1,4 +1,4 @@
-// The command that shows a pixel again tells the same story: the built program is run with it.
+// The command that shows a pixel again tells the same story: it is run with the built program.
 #include "viewer/model/state/command.hpp"
 
 #include <doctest.h>
@@ -17,7 +17,7 @@ namespace {
 
 const std::filesystem::path paper = std::filesystem::path(SCENES) / "levental-2014.toml";
 
-/// Runs the command; the words of ours hold nothing that a shell would quote.
+/// Runs the command; our words contain nothing that a shell would quote.
 nlohmann::json run(const std::string& command) {
     std::istringstream words(command);
     std::string word;

@@ -1,4 +1,4 @@
-// The inspector's numbers are those of `glassbox explain --json`, digit for digit; and where its error bars lie.
+// The inspector's numbers are those of `glassbox explain --json`, digit for digit; and the positions of its error bars.
 #include "viewer/model/story/inspector.hpp"
 
 #include <doctest.h>
@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 using Texts = std::map<std::string, std::string>;
 
-/// Reads JSON as it is written: the digits of each number that it has, by its JSON pointer.
+/// Reads JSON and keeps the digits of each number as they are written, by its JSON pointer.
 class NumbersAsWritten : public nlohmann::json_sax<Json> {
 public:
     Texts numbers;
@@ -81,7 +81,7 @@ Texts numbers_of_json(const Story& story) {
     return reader.numbers;
 }
 
-/// All numbers of the parts, with all that is told of each, by their JSON pointers; one may be shown twice.
+/// Collects all numbers of the parts, with all that is shown of each, by their JSON pointers; one may be shown twice.
 void gather(const std::vector<InspectorPart>& parts, Texts& into) {
     const auto add = [&](const InspectedNumber& number) {
         for (const NumberFact& fact : facts(number)) {
@@ -89,7 +89,7 @@ void gather(const std::vector<InspectorPart>& parts, Texts& into) {
             const auto [at, is_new] = into.emplace(fact.path, fact.text);
             if (!is_new) CHECK(at->second == fact.text);
         }
-        // What stands in the row is what its facts say.
+        // The row shows what its facts say.
         CHECK(written(number, NumberForm::full) == facts(number).front().text);
     };
     for (const InspectorPart& part : parts) {

@@ -25,7 +25,7 @@ std::optional<Result> awaited(Latest<Result>& latest) {
     return {};
 }
 
-/// Work that runs now, and brings 1 once it is stopped.
+/// Starts work that delivers 1 once it is stopped.
 void begin_what_must_be_stopped(Latest<int>& latest) {
     const auto began = std::make_shared<std::atomic<bool>>(false);
     latest.ask([began](const std::stop_token& stop, const auto& deliver) {

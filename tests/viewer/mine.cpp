@@ -1,5 +1,5 @@
-// The learner's picture in the viewer: what is asked for, what stays while a new one is made, and that nothing of it
-// can stop the rest. What each kind of end is called is tested in tests/learn/mine.cpp.
+// The learner's picture in the viewer: what is computed, what stays while a new one is made, and that nothing in it can
+// stop the rest. How each kind of end is described is tested in tests/learn/mine.cpp.
 #include "viewer/model/work/mine.hpp"
 
 #include <doctest.h>
@@ -52,7 +52,7 @@ struct Viewer {
         state.mine.folder = folder / "my";
     }
 
-    /// Until all is there that is asked for.
+    /// Waits until everything that was requested is there.
     void settle() {
         do {
             std::this_thread::sleep_for(2ms);
@@ -61,7 +61,7 @@ struct Viewer {
         background.update(state, results);
     }
 
-    /// A header of lesson 2: the solution, with one text in place of another.
+    /// Saves a header of lesson 2: the solution, with one text replaced by another.
     void save(const std::string& header, const std::string& instead_of = "", const std::string& put = "") {
         std::string text = test::content(fs::path(ROOT "/src/core/2-spheres") / header);
         const std::size_t at = text.find(instead_of);
@@ -104,7 +104,7 @@ TEST_CASE("it is looked at in double, at the lesson's stage, and undo takes that
     CHECK(viewer.state.mine.problem.find("there is no lesson '77'") == 0);
     toggle_mine(viewer.state);
     CHECK(viewer.state.beside == Beside::nothing);
-    toggle_mine(viewer.state);  // the last one that there was
+    toggle_mine(viewer.state);  // the last one shown
     CHECK(viewer.state.mine.lesson == 5);
     CHECK(viewer.state.mine.problem == "");
 }
@@ -127,7 +127,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(other.factor == 1);
     CHECK(viewer.same_as_ours());
 
-    // A slip: the last picture stays, and the place of the mistake is known.
+    // A compile error: the last picture stays, and the place of the mistake is known.
     viewer.save("sphere.hpp", "return unit(point - sphere.c);", "return unit(point - sphere.c)");
     viewer.settle();
     CHECK(mine->stand == Stand::does_not_compile);
@@ -136,7 +136,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(mine->drawing == nullptr);
     CHECK(viewer.same_as_ours());
 
-    // A crash at one pixel: it is told, the rest of the viewer works. Column 20, row 13 is pixel (20, 16): 30 rows.
+    // A crash at one pixel is reported, and the rest of the viewer works. Column 20, row 13 is pixel (20, 16): 30 rows.
     viewer.save("sphere.hpp", "probe(told::Tested{});",
                 "probe(told::Tested{}); if (ray.P.y == 20 && ray.P.z == 13) *static_cast<volatile int*>(nullptr) = 1;");
     viewer.state.pinned = Pixel{20, 16};
@@ -164,7 +164,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(mine->stand == Stand::drawn);
     CHECK(viewer.same_as_ours());
 
-    // Not shown, it is not computed, and what stands beside is not taken for something else.
+    // While it is not shown, it is not computed, and what is shown beside ours is not mistaken for something else.
     const auto mines = other.image;
     viewer.state.beside = Beside::other;
     viewer.background.update(viewer.state, viewer.results);
@@ -182,7 +182,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
 
 TEST_CASE("a file that is written, taken away or put back has changed") {
     const Folder folder;
-    // In one step: a file that is seen empty and then full has changed twice.
+    // In one step: a file that is seen first empty and then full has changed twice.
     const auto write = [&](const char* name, const char* text) {
         std::ofstream(folder / "new") << text;
         fs::rename(folder / "new", folder / name);

@@ -26,7 +26,7 @@ struct Made {
     bool operator==(const Made&) const = default;
 };
 
-/// What is made, and the factors that are shown, if each takes that long at the least.
+/// What is made, and the factors that are shown, if each takes at least this long.
 struct Course {
     std::vector<Made> made;
     std::vector<int> shown;

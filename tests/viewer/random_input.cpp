@@ -30,7 +30,7 @@ vertices = [[50, 0, 0], [50, 40, 0], [50, 0, 40]]
 color = [128, 128, 128]
 )";
 
-/// Somebody who knows nothing of the interface, and is quick.
+/// A user who knows nothing of the interface, and is fast.
 class Monkey {
 public:
     explicit Monkey(HiddenViewer& viewer, const std::filesystem::path& scene) : viewer_(viewer), scene_(scene) {}

@@ -65,7 +65,7 @@ TEST_CASE("an error in the file keeps the last good scene, until it is good agai
     CHECK(state.file_error.find("s.toml:2:9: error: ") != std::string::npos);
     CHECK(state.scene == good);
     CHECK(state.pinned == Pixel{1, 1});
-    // So deep that the stack would not hold it: the viewer goes on.
+    // Nested so deeply that the stack would overflow: the viewer goes on.
     std::string deep = "a";
     for (int k = 0; k < 40000; ++k) deep += ".b";
     for (const std::string& text : {deep + " = 1\n", "[" + deep + "]\n", "a = " + std::string(40000, '[')}) {

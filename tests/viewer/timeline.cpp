@@ -60,7 +60,7 @@ TEST_CASE("the middle of the green sphere") {
     CHECK(events[root].what == "350 = 157500 ÷ 450");
     const std::size_t ahead = find_formula(events, "t₀ > 0", root);
     REQUIRE(ahead + 3 < events.size());
-    CHECK(events[ahead + 1].formula == "t₀ > 0");  // asked for the root to take, and for the verdict
+    CHECK(events[ahead + 1].formula == "t₀ > 0");  // computed for the choice of the root, and for the verdict
     CHECK(events[ahead + 2].what == "surface 0: met at t = 350");
     CHECK(events[ahead + 2].holds == true);
     CHECK(events[ahead + 3].what == "surface 1, sphere, is tested");
@@ -70,7 +70,7 @@ TEST_CASE("the middle of the green sphere") {
     CHECK(value(story, events[second]) == -4600);
     CHECK(count_formulas(events, "Δ = ") == 2);
 
-    // The hit's point is computed for itself and again for the normal: told once.
+    // The hit's point is computed for itself and again for the normal: listed once.
     CHECK(count_formulas(events, "point.x = ") == 1);
     const std::size_t point = find_formula(events, "point.x = ", second);
     REQUIRE(point < events.size());
@@ -118,7 +118,8 @@ TEST_CASE("a face of the tetrahedron") {
 }
 
 // In float, 24 bits, a sphere of radius 50 ten millions away: (v·D)² = v² = 10¹⁴ is rounded, both alike, to a multiple
-// of 2²³, beside which r² = 2500 is nothing; so Δ = 0 instead of 2500, and all 24 bits are lost in that one difference.
+// of 2²³, compared with which r² = 2500 is nothing; so Δ = 0 instead of 2500, and all 24 bits are lost in that one
+// difference.
 TEST_CASE("the next cancellation is where the textbook's discriminant loses all") {
     Scene scene = paper();
     scene.triangles.clear();
@@ -211,7 +212,7 @@ TEST_CASE("playing goes on by its speed, and stops at the end") {
     go_on_playing(state, results, 1e6);
     CHECK(state.step == results.timeline.size() - 1);
     CHECK_FALSE(state.playing);
-    play_or_pause(state, results);  // from the end it begins anew
+    play_or_pause(state, results);  // after the end it starts again
     CHECK(state.step == 0);
 }
 

@@ -43,8 +43,8 @@ is_set() {
 # Opens the window, changes what can be changed without knowing the font, closes it.
 visit() {
     settings=$folder/config$pause/glassbox/viewer.json
-    # The display's OpenGL driver leaks a few bytes and is unloaded before leaks are looked for: nothing could name it.
-    # Leaks of ours are looked for by viewer_random_input, in the same interface.
+    # The display's OpenGL driver leaks a few bytes and is unloaded before leaks are searched for: no suppression could
+    # name it. viewer_random_input searches for leaks of ours, in the same interface.
     ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0 \
         XDG_CONFIG_HOME=$folder/config$pause "$glassbox" view "$folder/scene.toml" --size 1024x640 \
         >"$folder/out" 2>"$folder/err" &

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line of a compiler that names a place: "file:line:column: rest", "In file included from file:line,".
+/// A line of compiler output that names a place: "file:line:column: rest", "In file included from file:line,".
 struct Located {
     Place place;
     std::string rest;
@@ -37,8 +37,8 @@ std::size_t number_at(std::string_view& text) {
     return number;
 }
 
-/// The place that a line names, if it does. File names may have colons; so the first colon that a number and another
-/// colon or comma follow ends the name.
+/// Returns the place that a line names, if any. File names may contain colons, so the name ends at the first colon that
+/// is followed by a number and another colon or comma.
 std::optional<Located> located(std::string_view line) {
     for (const std::string_view opening : {"In file included from ", "                 from "})
         if (line.starts_with(opening)) line.remove_prefix(opening.size());
@@ -87,7 +87,7 @@ std::vector<Diagnosed> diagnosed(const std::string& text) {
             continue;
         }
         if (rest.starts_with("warning: ")) continue;
-        // g++ tells before the error how it came there, clang++ after it, in a note. Other notes lead nowhere.
+        // g++ prints how it got to an error before the error, clang++ after it, in a note. Other notes are ignored.
         const bool note = rest.starts_with("note: ");
         const bool needed =
             rest.find("requested here") != std::string::npos || rest.find("in call to") != std::string::npos;
@@ -103,8 +103,8 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
     return !near.empty() && *near.begin() != "..";
 }
 
-/// Whether a file may be read for what an error says of its place. A line such as '#line 1 "/home/teacher/notes"' names
-/// any file: none is shown but the learner's own, ours and the system's headers.
+/// Whether a file may be read to show the line of an error. A line such as '#line 1 "/home/teacher/notes"' can name any
+/// file; only the learner's own headers, ours and the system's are shown.
 bool may_be_read(const fs::path& file, const OwnHeaders& mine, const fs::path& root) {
     std::error_code failed;
     const fs::path real = fs::canonical(file, failed);
@@ -124,7 +124,7 @@ std::string line_of(const fs::path& file, std::size_t number) {
     return line;
 }
 
-/// Of a compilation that ended without an error message: the compiler itself came to an end.
+/// For a compilation that ended without an error message: the compiler itself came to an abnormal end.
 CompileError of_the_compiler_itself(const Outcome& outcome) {
     CompileError error;
     error.message = "the compiler: " + how_it_ended(outcome);
@@ -155,10 +155,10 @@ std::string first_line_with(const std::string& text, std::string_view part) {
     return "";
 }
 
-/// What a system says when it cannot write, in the C locale's words, and what would help.
+/// A message of the system when it cannot write, in the C locale's words, and what would help.
 struct Hindrance {
     std::string_view words, remedy;
-    bool is_of_reading_too = false;  ///< a file to be read may meet with the same
+    bool is_of_reading_too = false;  ///< reading a file may fail for the same reason
 };
 constexpr std::string_view other_places = "name another folder with --folder, and for the compiler's own with TMPDIR";
 constexpr std::array hindrances{
@@ -167,12 +167,12 @@ constexpr std::array hindrances{
     Hindrance{"Read-only file system", other_places},
     Hindrance{"Input/output error", "look at that disk"},
     Hindrance{"Permission denied", other_places, true},
-    Hindrance{"OperatorInSource not permitted", other_places, true},
+    Hindrance{"Operation not permitted", other_places, true},
     Hindrance{"Too many open files", "close other programs", true},
 };
 
-/// Throws Error if a compiler or a linker complains that the system does not let it write. What it tells of a learner's
-/// line is not meant: that may have any words in it.
+/// Throws Error if a compiler or a linker reports that the system does not let it write. Skips quoted source lines: a
+/// learner's line may contain any words.
 void check_machine(const Outcome& outcome, const fs::path& mine, const fs::path& folder) {
     if (outcome.well() || outcome.end == End::stopped) return;
     for (const std::string_view line : lines_of(outcome.errors)) {
@@ -197,8 +197,8 @@ constexpr std::string_view what_to_do =
 
 bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
 
-/// How far an operand reaches that begins at the front of a text, such as "ray.D", "(a + b)" or "dot(a, b)". Backwards
-/// it is the operand at the end of a text, read from its end on.
+/// Returns the length of the operand at the front of a text, such as "ray.D", "(a + b)" or "dot(a, b)". With
+/// `backwards`, that of the operand at the end of the text, scanned from the end.
 std::size_t length_of_operand(std::string_view text, bool backwards) {
     const auto at = [&](std::size_t i) { return text[backwards ? text.size() - 1 - i : i]; };
     const char open = backwards ? ')' : '(', close = backwards ? '(' : ')';
@@ -211,7 +211,7 @@ std::size_t length_of_operand(std::string_view text, bool backwards) {
     return end;
 }
 
-/// The operation whose operator stands where the error is.
+/// Returns the operation whose operator stands where the error is.
 OperatorInSource operation_at(const CompileError& error) {
     OperatorInSource operation;
     const std::size_t at = error.place.column - 1;
@@ -229,7 +229,7 @@ OperatorInSource operation_at(const CompileError& error) {
     return operation;
 }
 
-/// The words for a name that is not known, if one that is nearly the same stands in the file.
+/// Returns a suggestion for an unknown name, if the file contains a similar one.
 std::string suggested(const CompileError& error) {
     for (const std::string_view opening : {"use of undeclared identifier '", "there are no arguments to '", "'"}) {
         if (!error.message.starts_with(opening)) continue;
@@ -245,7 +245,7 @@ std::string suggested(const CompileError& error) {
             else if (word.size() > 1 && word != name) names.insert(std::exchange(word, ""));
             else word.clear();
         }
-        // Who mistypes a name mostly begins it rightly.
+        // People who mistype a name mostly get its beginning right.
         std::vector<std::string_view> known;
         for (const std::string& one : names)
             if (one[0] == name[0]) known.push_back(one);
@@ -256,7 +256,7 @@ std::string suggested(const CompileError& error) {
     return "";
 }
 
-/// The words for an include of what a later lesson brings.
+/// Returns the words for an include of something that a later lesson introduces.
 std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
     std::string name;
     if (const std::size_t end = error.message.find(": No such file"); end != std::string::npos)
@@ -279,7 +279,7 @@ std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
     return words.starts_with("did you mean") ? fmt::format("There is no header {}; {}", name, words) : "";
 }
 
-/// The learner's files that are compiled, in the order in which the compiler comes to them.
+/// The learner's files that are compiled, in the order in which the compiler reads them.
 std::vector<fs::path> read_files(const OwnHeaders& mine) {
     std::vector<fs::path> files;
     const std::function<void(const fs::path&)> read = [&](const fs::path& path) {
@@ -302,7 +302,7 @@ std::vector<fs::path> read_files(const OwnHeaders& mine) {
     return files;
 }
 
-/// What is not closed in one of the learner's files, if that comes before the error that the compiler tells.
+/// Returns what is not closed in one of the learner's files, if it comes before the error that the compiler reports.
 std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileError& told) {
     for (const fs::path& file : read_files(mine)) {
         const bool is_told = told.place.file == file.string();
@@ -421,7 +421,7 @@ std::string with_caret(const CompileError& error) {
     std::string caret;
     for (const char c : error.place.column == 0 ? "" : before) {
         const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xC0u) != 0x80u) caret += byte == '\t' ? '\t' : ' ';  // a character of many bytes is one wide
+        if ((byte & 0xC0u) != 0x80u) caret += byte == '\t' ? '\t' : ' ';  // a multi-byte character is one column wide
     }
     return printable_lines(error.source) + '\n' + caret + '^';
 }

@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 
 constexpr Limits while_compiling{.time = 120s, .memory = std::uint64_t{2} << 30, .output = std::size_t{1} << 20};
 
-/// English, whatever the learner's language is, since we read it; and no cache in between, which only costs time for
-/// files that change each time.
+/// Messages in English, whatever the learner's language, because we parse them; and no compiler cache, which only costs
+/// time for files that change each time.
 const std::vector<std::pair<std::string, std::string>> plain{
     {"LC_ALL", "C"}, {"CCACHE_DISABLE", "1"}, {"GCC_COLORS", ""}, {"CLICOLOR_FORCE", ""}};
 
@@ -35,7 +35,8 @@ Outcome run_compiler(const Compiler& compiler, std::vector<std::string> argument
     return run(command, stop);
 }
 
-/// Where a compiler lies that is not one of the system's: the folder with its bin, if that is not the home folder.
+/// The folder of a compiler that is not one of the system's: the one that contains its bin, unless that is the home
+/// folder.
 fs::path own_folder(const std::string& program) {
     std::error_code none;
     const fs::path file = fs::canonical(program, none), folder = file.parent_path().parent_path();
@@ -44,7 +45,7 @@ fs::path own_folder(const std::string& program) {
     return none || file.parent_path().filename() != "bin" || folder == "/" || is_home ? fs::path() : folder;
 }
 
-/// As it is named from a folder, if it lies in it.
+/// Returns the path relative to the folder, if it lies in it.
 std::string named_from(const fs::path& folder, const fs::path& path) {
     const fs::path near = path.lexically_relative(folder);
     return folder.empty() || near.empty() || *near.begin() == ".." ? path.string() : near.string();
@@ -116,7 +117,7 @@ void precompile(const Compiler& compiler, const Compilation& header, const std::
 
 std::vector<std::string> beginning_with(const Compiler& compiler, const fs::path& precompiled) {
     if (compiler.clang) return {"-include-pch", precompiled.string()};
-    // g++ is told the header's name, and looks for the same name with .gch at its end first.
+    // g++ is given the header's name, and looks for the same name with .gch at its end first.
     return {"-include", fs::path(precompiled).replace_extension().string()};
 }
 
@@ -129,7 +130,7 @@ fs::path doctest_folder() {
 }
 
 std::string fingerprint(const std::vector<std::string>& parts) {
-    // FNV-1a, 64 bits: it is not for secrets.
+    // FNV-1a, 64 bits: not a cryptographic hash.
     std::uint64_t hash = 14695981039346656037u;
     const auto take = [&](unsigned char byte) { hash = (hash ^ byte) * 1099511628211u; };
     for (const std::string& part : parts) {

@@ -7,7 +7,7 @@
 namespace glassbox::learn {
 namespace {
 
-/// The lines of a text without the spaces around them: learners indent as they like.
+/// The lines of a text without surrounding spaces: learners indent as they like.
 std::vector<std::string_view> bare_lines(std::string_view text) {
     constexpr std::string_view spaces = " \t\r";
     std::vector<std::string_view> lines;
@@ -21,7 +21,7 @@ std::vector<std::string_view> bare_lines(std::string_view text) {
     return lines;
 }
 
-/// Where a text says `not_written<…>("function")`; the number of lines if nowhere.
+/// Returns the line of a text that contains `not_written<…>("function")`; the number of lines if none does.
 std::size_t not_written_at(const std::vector<std::string_view>& lines, std::string_view function) {
     const std::string name = "(\"" + std::string(function) + "\")";
     const auto says = [&](std::string_view line) {
@@ -36,7 +36,7 @@ bool is_boundary(std::string_view line) {
            std::string_view(";{}:").find(line.back()) != std::string_view::npos;
 }
 
-/// The line with the brace that opens what the line `inside` stands in.
+/// Returns the line with the opening brace of the block that contains the line `inside`.
 std::size_t opening_line(const std::vector<std::string_view>& lines, std::size_t inside) {
     int closed = 0;
     for (std::size_t i = inside; i-- > 0;) {
@@ -48,7 +48,7 @@ std::size_t opening_line(const std::vector<std::string_view>& lines, std::size_t
     return 0;
 }
 
-/// Where the function's declaration begins in whose body that line stands.
+/// Returns the line where the declaration begins of the function whose body contains that line.
 std::size_t begin_of_declaration(const std::vector<std::string_view>& lines, std::size_t body) {
     std::size_t begin = opening_line(lines, body);
     while (begin > 0 && !is_boundary(lines[begin - 1])) --begin;
@@ -78,7 +78,8 @@ std::size_t line_of_function(std::string_view header, std::string_view starter, 
     if (const std::size_t open = not_written_at(mine, function); open < mine.size()) return open + 1;
     const std::size_t body = not_written_at(given, function);
     if (body == given.size()) return 0;
-    // Several functions may have the name, such as the operator() of Textbook and of Stable: it is as many-th as there.
+    // Several functions may have the name, such as the operator() of Textbook and of Stable: take the one at the same
+    // place among them as in the starter.
     const std::size_t begin = begin_of_declaration(given, body);
     const std::string name = declared_name(given[begin]);
     const auto is_one = [&](std::string_view line) { return declares(line, name); };

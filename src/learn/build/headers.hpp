@@ -5,19 +5,21 @@
 
 namespace glassbox::learn {
 
-/// The headers in a folder and the folders in it, in order; plain files only. What cannot be looked into has none.
+/// Returns the headers in a folder and its subfolders, in order; regular files only. A folder that cannot be read has
+/// none.
 std::vector<std::filesystem::path> headers_in(const std::filesystem::path& folder);
 
-/// All that is in a plain file; "" if it is none, cannot be read, or is larger than anyone writes by hand.
+/// Returns the contents of a regular file; "" if it is not one, cannot be read, or is larger than anyone writes by
+/// hand.
 std::string content_of(const std::filesystem::path& file);
 
-/// What a file is now, without reading it: its name, its size, its time.
+/// Returns a file's present state without reading it: its name, size and time.
 std::string state_of(const std::filesystem::path& file);
 
-/// Names and contents of the headers in a folder, each a part of a fingerprint.
+/// Adds names and contents of the headers in a folder, each as a part of a fingerprint.
 void add_headers(std::vector<std::string>& parts, const std::filesystem::path& folder);
 
-/// A fingerprint of all headers in a folder: another one after each change.
+/// Returns a fingerprint of all headers in a folder; it differs after each change.
 std::string fingerprint_of_headers(const std::filesystem::path& folder);
 
 }  // namespace glassbox::learn

@@ -9,7 +9,8 @@
 namespace glassbox::learn {
 namespace {
 
-/// What a pattern's % stand for in a text; none if it does not match. A % takes as little as it can, the last one all.
+/// Returns what a pattern's % match in a text; none if the pattern does not match. A % matches as little as possible,
+/// the last one all the rest.
 std::optional<std::vector<std::string>> matched(std::string_view text, std::string_view pattern) {
     std::vector<std::string> taken;
     std::size_t percent = pattern.find('%');
@@ -32,14 +33,14 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
         text.replace(at, old.size(), by);
 }
 
-/// "const glassbox::Vec3<double>&" is "Vec3<double>" to a learner.
+/// Simplifies a type for a learner: "const glassbox::Vec3<double>&" becomes "Vec3<double>".
 std::string simple(std::string type) {
     for (const std::string_view noise : {"glassbox::", "std::__cxx11::", "const ", "struct ", " const", "&"})
         replace_all(type, noise, "");
     return type;
 }
 
-/// g++ names a type and then says what it is really: 'std::type_identity_t<double>' {aka 'double'}.
+/// g++ prints a type and then what it is an alias of: 'std::type_identity_t<double>' {aka 'double'}.
 std::string without_aliases(std::string_view message) {
     std::string text(message);
     for (std::size_t aka = text.find("' {aka '"); aka != std::string::npos; aka = text.find("' {aka '")) {
@@ -52,7 +53,7 @@ std::string without_aliases(std::string_view message) {
     return text;
 }
 
-/// clang++ does not name the operator that is missing, and g++ does: clang++'s message as g++ has it.
+/// Unlike g++, clang++ does not name the missing operator: turns clang++'s message into g++'s form.
 std::string with_operator(std::string message, const std::string& sign) {
     constexpr std::string_view nameless = "invalid operands to binary expression (";
     if (sign.empty() || !message.starts_with(nameless)) return message;
@@ -64,7 +65,7 @@ struct Meaning {
     std::string_view plain;    ///< {1}, {2} … are what the % stood for, {left} and {right} the operation's
 };
 
-// The first that matches speaks. Those of g++ and clang++ stand together.
+// The first match is used. Patterns of g++ and clang++ for the same mistake stand together.
 constexpr std::array meanings{
     Meaning{"%xpected ';'%", "A semicolon is missing here, at the end of this statement."},
     Meaning{"expected ',' or ';'%", "A semicolon is missing, here or at the end of the line before."},

@@ -9,8 +9,8 @@ struct OperatorInSource {
     std::string left = "vector", sign, right = "number";
 };
 
-/// What an error of a compiler means and what to do about it, for someone who learns C++; empty if it is none of the
-/// common ones. Knows the words of g++ and of clang++.
+/// Returns what a compiler error means and what to do about it, for someone who learns C++; empty if it is not one of
+/// the common ones. Knows the messages of g++ and of clang++.
 std::string in_plain_words(std::string_view message, const OperatorInSource& operation = {});
 
 }  // namespace glassbox::learn

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_kept = 3;  // compilers' worth of tools; each takes some tens of megabytes
+constexpr std::size_t most_kept = 3;  // toolchains; each takes some tens of megabytes
 
 /// -O0 compiles fastest; a function without a return would only crash, so it is an error.
 const std::vector<std::string> test_flags{"-O0", "-g0", "-Werror=return-type"};
@@ -61,7 +61,7 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
          {"src/learn/check/runner/prelude.hpp", "src/learn/check/runner/main.cpp", "src/learn/check/runner/picture.cpp",
           "src/learn/subprocess/last_words.hpp", "tests/support/ulps.hpp", "tests/support/traced_ray.hpp"})
         parts.push_back(read_text(workspace.root / file));
-    parts.push_back(workspace.root.string());  // clang++ remembers where its headers were
+    parts.push_back(workspace.root.string());  // clang++ records where its headers were
     tools.identity = fingerprint(parts);
 
     const fs::path folder = workspace.hidden() / ("tools-" + tools.identity);
@@ -75,7 +75,7 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
 
     std::error_code failed;
     say("preparing the tests for your compiler: once, some seconds");
-    // Whole or not at all: made under another name first.
+    // All or nothing: made under a temporary name first.
     const fs::path making = workspace.hidden() / fmt::format("new-tools-{}", ::getpid());
     fs::remove_all(making, failed);
     make_folder(making);
@@ -90,7 +90,7 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     if (failed) {
         const std::string why = failed.message();
         fs::remove_all(making, failed);
-        if (!is_there(tools))  // else somebody else was quicker
+        if (!is_there(tools))  // else another process was faster
             throw error_at({folder.string()}, fmt::format("cannot make this folder: {}", why));
     }
     remove_old(workspace.hidden(), folder);

@@ -9,8 +9,8 @@
 
 namespace glassbox::learn {
 
-/// What all of a learner's tests are made with: made once, and again when the compiler or what they are made of
-/// changes. It lies in the learner's folder, in .glassbox/tools-….
+/// What all of a learner's tests are built with: made once, and again when the compiler or its ingredients change. It
+/// is in the learner's folder, in .glassbox/tools-….
 struct Toolchain {
     Compiler compiler;
     std::vector<std::string> flags;      ///< for each test, those that begin with the precompiled prelude included
@@ -20,13 +20,14 @@ struct Toolchain {
     std::string identity;                ///< what it was made of: a fingerprint
 };
 
-/// Whether all of it is there: somebody may have cleaned up.
+/// Whether all of its files exist: somebody may have deleted them.
 bool is_there(const Toolchain& tools);
 
-/// The same toolchain, for what strangers wrote: it is compiled and run isolated. Throws Error if that cannot be.
+/// Returns the same toolchain for strangers' code, which is compiled and run isolated. Throws Error if that is
+/// impossible.
 Toolchain isolated(Toolchain tools, const Workspace& workspace);
 
-/// Gets the toolchain, or makes it, which takes some seconds; then `say` is told why it takes long. Throws Error.
+/// Returns the toolchain. If it must be made, which takes some seconds, tells `say` why it takes long. Throws Error.
 Toolchain toolchain(const Workspace& workspace, const std::function<void(const std::string&)>& say);
 
 }  // namespace glassbox::learn

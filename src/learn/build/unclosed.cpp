@@ -31,22 +31,21 @@ struct Brace {
     bool is_namespace = false;                  ///< what stands in it is not indented
 };
 
-/// An #if with its branches. Braces count as in the first branch that may be compiled: each may have its own.
+/// An #if with its branches. Braces are counted in the first branch that may be compiled, as each may have its own.
 struct Branches {
     std::vector<Brace> before;
     std::optional<std::vector<Brace>> after;
     bool is_dead = false;  ///< whether it is '#if 0', and this branch its first
 };
 
-/// Reads a file once, from its first character to its last. A reading by indentation believes that a block ends where
-/// a statement stands as far left as the block does, and that a brace which closes a block from farther right is one
-/// too many.
+/// Reads a file once, from its first character to its last. When reading by indentation, a block ends where a statement
+/// is indented no more than the block, and a brace indented more than the block that it closes is one too many.
 class Reading {
 public:
     Reading(std::string_view source, bool by_indentation) : source_(source), by_indentation_(by_indentation) { read(); }
 
     bool is_even() const { return braces_.empty() && surplus_.empty(); }
-    bool is_cut_off() const { return cut_off_; }  ///< within a comment or an #if: the compiler tells
+    bool is_cut_off() const { return cut_off_; }  ///< within a comment or an #if: the compiler reports that
     const std::vector<Brace>& open() const { return braces_; }
     const std::vector<Spot>& surplus() const { return surplus_; }
     const std::optional<Unclosed>& text() const { return text_; }
@@ -94,7 +93,7 @@ private:
     void step(std::size_t count) {
         while (count-- > 0 && at_ < source_.size()) step();
     }
-    /// To the end of the line; a backslash there joins the next one to it.
+    /// Skips to the end of the line; a backslash there joins the next line to it.
     void skip_line() {
         for (; at_ < source_.size() && source_[at_] != '\n'; step())
             if (starts("\\\n")) step();
@@ -135,7 +134,7 @@ private:
                 branches_.pop_back();
             }
         }
-        if (name == "error" || name == "warning") return skip_line();  // any words
+        if (name == "error" || name == "warning") return skip_line();  // may contain any text
         while (at_ < source_.size() && source_[at_] != '\n' && !starts("//") && !starts("/*")) {
             if (starts("\\\n")) step();
             step();
@@ -171,7 +170,7 @@ private:
         step(close == std::string_view::npos ? source_.size() - at_ : close + end.size() - at_);
         raw_ = false;
     }
-    /// Marks between digits, 1'000, open nothing.
+    /// Digit separators, as in 1'000, open no character literal.
     void read_number() {
         begin_statement();
         while (at_ < source_.size() && (in_a_word(source_[at_]) || source_[at_] == '.' || source_[at_] == '\'')) step();

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double as_good_as_equal = 1e-6;
 
-/// "0.5 (0x1p-1)" without what is in parentheses: the same number again.
+/// Strips the parenthesis from "0.5 (0x1p-1)": it is the same number again.
 std::string without_hexadecimals(std::string text) {
     for (std::size_t open = text.find(" ("); open != std::string::npos; open = text.find(" (", open + 1)) {
         const std::size_t close = text.find(')', open);
@@ -39,7 +39,7 @@ std::string got(const Failure& failure) {
     return fmt::format("{}: {}", failure.expression, without_hexadecimals(failure.got));
 }
 
-/// A number at the front of a text, which it is taken from; none if there is none.
+/// Takes a number off the front of a text and returns it; none if there is none.
 std::optional<double> take_number(std::string_view& text) {
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -48,7 +48,8 @@ std::optional<double> take_number(std::string_view& text) {
     return number;
 }
 
-/// The function that is looked at first where this mistake is the only one: the first that a test of it finds wrong.
+/// Returns the function that is looked at first if this is the only mistake: the first that one of its tests finds
+/// wrong.
 const Function* function_of(const std::string& mistake, const std::vector<Trace>& known, const Exercise& exercise) {
     const Function* first = nullptr;
     for (const Trace& trace : known) {

@@ -20,37 +20,38 @@ struct Trace {
     bool operator==(const Trace&) const = default;
 };
 
-/// What a run of the tests with this mistake leaves behind, a trace for each case that fails.
+/// Returns what a run of the tests with this mistake leaves behind: a trace for each case that fails.
 std::vector<Trace> traces_of(const std::string& mistake, const TestRun& run);
 
-/// Whether two traces of a test got the same: the same words, and numbers that differ by at most 1e-6 of the larger.
+/// Whether two traces of a test have the same result: the same words, and numbers that differ by at most 1e-6 of the
+/// larger.
 bool same_got(std::string_view a, std::string_view b);
 
-/// Which of the known mistakes a run looks like: of those whose every failing test fails here, too, with the same got,
-/// one that the case `shown` is among, if there is any, and of those the one with most such tests. Tests that fail here
-/// since a function is not written yet are left out of account. "" if it looks like none.
+/// Returns the known mistake that a run looks like; "" if none. Candidates are the mistakes whose every failing test
+/// fails here, too, with the same result. Prefers one whose failing cases include `shown`, then the one with most
+/// failing tests. Ignores tests that fail here because a function is not written yet.
 std::string looks_like(const TestRun& run, const std::vector<Trace>& known, const CaseResult* shown = nullptr);
 
-/// A classic mistake, recognised.
+/// A classic mistake that was recognised.
 struct Recognised {
     std::string name;        ///< "" for none
-    std::string looks_like;  ///< what is to be said of it, and of which function, if it is not the one looked at first
+    std::string looks_like;  ///< what to say about it, and about which function, if it is not the one looked at first
 };
 
-/// What a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml.
+/// Returns the mistake that a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml.
 Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgement& judgement);
 
-/// lessons/N-name/mistakes.json: an array, one trace a line, in the order given. Reading throws Error; a file that is
-/// not there has no traces.
+/// lessons/N-name/mistakes.json: an array, one trace per line, in the order given. Reading throws Error; a missing file
+/// has no traces.
 std::vector<Trace> read_traces(const std::filesystem::path& file);
 std::string written(const std::vector<Trace>& traces);
 
-/// Makes the headers of an exercise's solution with a mistake in it, in a folder.
+/// Writes the headers of an exercise's solution, with a mistake in it, to a folder.
 void make_mistaken_headers(const Workspace& workspace, const Exercise& exercise, const Mistake& mistake,
                            const std::filesystem::path& folder);
 
-/// What each mistake of a lesson leaves behind, sorted by mistake and test. Each is compiled and run, two at a time;
-/// `done` is told after each, from any thread.
+/// Returns what each mistake of a lesson leaves behind, sorted by mistake and test. Compiles and runs two at a time;
+/// calls `done` after each, from any thread.
 std::vector<Trace> traces_of_all(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                                  const std::function<void(const Mistake&, const TestRun&)>& done,
                                  const std::stop_token& stop = {});

@@ -17,7 +17,7 @@ Vec3<double> vector_at(const std::vector<double>& numbers, std::size_t at) {
     return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
 
-/// With all its digits, and a point or an exponent, as TOML has it.
+/// Returns a number with all its digits, and a point or an exponent, as TOML has it.
 std::string number(double x) {
     const std::string text = fmt::format("{}", x);
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
@@ -34,8 +34,8 @@ double size_of(const std::vector<double>& surface) {
     return std::exp2(std::ceil(std::log2(size)));
 }
 
-/// The plane whose pixels lie along the two axes that the ray is least along, `step` apart, with the ray's start at the
-/// pixel (j, i).
+/// Returns the plane whose pixels lie along the two axes on which the ray's direction is smallest, `step` apart, with
+/// the ray's start at the pixel (j, i).
 ViewingPlane<double> plane_about(const Vec3<double>& P, const Vec3<double>& D, double step, int j, int i) {
     const Vec3<double> x{step, 0, 0}, y{0, step, 0}, z{0, 0, step};
     const double along_x = std::abs(D.x), along_y = std::abs(D.y), along_z = std::abs(D.z);

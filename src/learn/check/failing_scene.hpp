@@ -13,8 +13,8 @@ struct FailingScene {
     std::pair<int, int> pixel;  ///< x to the right, y down
 };
 
-/// The scene of a failure: its surface alone, and a parallel view with that ray, to the bit, in the middle of the
-/// picture if rounding allows, else in a corner. None if the test traced no ray, or one that no scene can have.
+/// Returns the scene of a failure: only its surface, and a parallel view with that ray, to the bit, in the middle of
+/// the picture if rounding allows, else in a corner. None if the test traced no ray, or one that no scene can have.
 std::optional<FailingScene> failing_scene(const std::string& test, const Failure& failure);
 
 }  // namespace glassbox::learn

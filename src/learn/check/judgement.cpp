@@ -5,12 +5,12 @@
 namespace glassbox::learn {
 namespace {
 
-/// The function that is not written yet, if that alone has ended the case; else "".
+/// The function that is not written yet, if that alone ended the case; else "".
 std::string missing_in(const CaseResult& one) { return one.failure ? one.failure->not_written() : ""; }
 
 bool fails(const CaseResult& one) { return one.failure && missing_in(one).empty(); }
 
-/// What the cases that test a function say of it: what is wrong goes before what is missing.
+/// Judges a function by the cases that test it: what is wrong takes precedence over what is missing.
 FunctionJudgement judged(const Function& function, const std::vector<const CaseResult*>& cases) {
     FunctionJudgement judgement{cases.empty() ? State::unknown : State::passed, ""};
     for (const CaseResult* one : cases) {
@@ -22,7 +22,7 @@ FunctionJudgement judged(const Function& function, const std::vector<const CaseR
     return judgement;
 }
 
-/// The case to look at first of a function that is at fault; null for any other.
+/// Returns the case of a function at fault to look at first; null for any other function.
 const CaseResult* first_to_see(const Function& function, State state, const std::vector<const CaseResult*>& cases) {
     for (const CaseResult* one : cases)
         if (state == State::failing ? fails(*one) : state == State::not_written && missing_in(*one) == function.name)
@@ -48,7 +48,8 @@ Judgement judged(const Exercise& exercise, const TestRun& run) {
         if (judgement.shown) judgement.function = &function;
     }
     if (judgement.shown) return judgement;
-    // None is at fault by its own tests. What others wait for is the next to write; else a case that nobody claims.
+    // No function is at fault by its own tests. Look at one that others wait for; else at a case that no function
+    // claims.
     for (const Function& function : exercise.functions)
         for (const CaseResult& one : run.cases)
             if (!judgement.shown && missing_in(one) == function.name) {

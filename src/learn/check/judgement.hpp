@@ -22,8 +22,8 @@ struct Judgement {
     int waiting = 0;                     ///< how many cannot be run until a function is written
 };
 
-/// Functions count in the order of writing. A case that ends only because a function is called that is not written yet
-/// has not failed: whatever it tests waits for that function. What is returned points into its arguments.
+/// Goes through the functions in the order of writing. A case that ends only because it calls a function that is not
+/// written yet has not failed: the function that it tests waits for that one. The result points into the arguments.
 Judgement judged(const Exercise& exercise, const TestRun& run);
 
 }  // namespace glassbox::learn

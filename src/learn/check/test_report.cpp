@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line as JSON, with the nonce; null for anything else. JSON has no bytes that are not UTF-8: each becomes '?'.
+/// Parses a line as JSON with the nonce; null for anything else. JSON must be UTF-8: each other byte becomes '?'.
 Json parsed(std::string line, const std::string& nonce) {
     while (const auto bad = first_not_utf8(line)) line[*bad] = '?';
     Json json = Json::parse(line, nullptr, false);
@@ -21,7 +21,7 @@ Json parsed(std::string line, const std::string& nonce) {
     return ours ? json : Json();
 }
 
-/// What a learner's code put into its exceptions and numbers is printable from here on.
+/// Makes what a learner's code put into its exceptions and numbers printable.
 Failure failure_from(const Json& json) {
     Failure failure;
     const auto text = [&](const char* name) { return printable_lines(json.value(name, std::string())); };
@@ -46,7 +46,7 @@ Failure failure_from(const Json& json) {
     return failure;
 }
 
-/// How the program ended before its time, in words, and the same for the detective.
+/// Returns how the program died, in words, and the same for the detective.
 std::pair<std::string, std::string> death(const Outcome& outcome) {
     std::string words = how_it_ended(outcome);
     if (words.empty()) words = "it ended the program (by _exit, perhaps) before its work was done";

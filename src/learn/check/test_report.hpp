@@ -13,8 +13,8 @@ struct Report {
     std::string disturbed;  ///< why they cannot be trusted, in words; "" if they can
 };
 
-/// Reads a report. Lines without the nonce are not the reporter's. A case that began and did not end is the one in
-/// which the program died.
+/// Reads a report. Ignores lines without the nonce: the reporter did not write them. The program died in the case that
+/// began and did not end.
 Report read_report(const std::string& text, const std::string& nonce, const Outcome& outcome);
 
 }  // namespace glassbox::learn

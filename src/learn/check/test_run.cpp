@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t memory_of_a_test = std::uint64_t{1} << 30;
 
-/// What the tests are compiled for, each by itself: what is most often wrong is wrong in double, and what is right in
+/// The scalars that the tests are compiled for, each by itself. Most mistakes show in double already; what is right in
 /// double and float is hardly ever wrong in long double.
 constexpr std::array<std::string_view, 3> scalars{"double", "float", "long double"};
 
@@ -34,7 +34,7 @@ std::string random_text() {
     return fmt::format("{:08x}{:08x}", device(), device());
 }
 
-/// Nobody else makes or runs programs in that folder while it lives: another terminal may be watching, too.
+/// While this lives, nobody else makes or runs programs in that folder: another terminal may be watching, too.
 class Lock {
 public:
     Lock(const fs::path& folder, const std::stop_token& stop)
@@ -54,7 +54,7 @@ private:
     int descriptor_;
 };
 
-/// What came of one scalar's program.
+/// The result of one scalar's program.
 struct Tried {
     std::optional<CompileError> error;  ///< why there is none
     Report report;
@@ -69,7 +69,7 @@ public:
 
     std::string scalar() const { return std::string(scalar_); }
 
-    /// Which of the tests' sources are to be compiled for this scalar: those that do not ask for scalars, once.
+    /// Returns the tests' sources to compile for this scalar. Those that do not use the scalars are compiled only once.
     std::vector<fs::path> sources() const {
         std::vector<fs::path> sources;
         for (const std::string& test : exercise_.tests) {
@@ -80,8 +80,8 @@ public:
         return sources;
     }
 
-    /// Compiles and links, unless all is as it was. What went wrong, if anything did. `ingredients` is what the program
-    /// is made of: a fingerprint.
+    /// Compiles and links, unless nothing has changed. Returns what went wrong, if anything did. `ingredients` is a
+    /// fingerprint of what the program is made of.
     std::optional<CompileError> build(const std::string& ingredients, const std::stop_token& stop) {
         const std::vector<fs::path> all = sources();
         if (content_of(file("key")) == ingredients) return {};
@@ -112,7 +112,7 @@ public:
     }
 
 private:
-    /// It runs in a folder of its own: what it does there harms no program and no object.
+    /// Runs in a folder of its own, so that it can harm no program and no object file.
     Report run(const std::stop_token& stop) const {
         const std::string nonce = random_text();
         const fs::path report = new_folder(file("run")) / fmt::format("{}-report", scalar_);
@@ -146,7 +146,7 @@ std::string ingredients_of(const Workspace& workspace, const Exercise& exercise,
     return fingerprint(parts);
 }
 
-/// What went wrong when a scalar's program was built with our headers, if anything did.
+/// Returns what went wrong when a scalar's program was built with our headers, if anything did.
 std::optional<CompileError> error_with_ours(const Workspace& workspace, const Exercise& exercise,
                                             const Toolchain& tools, const fs::path& folder, std::string_view scalar,
                                             const std::stop_token& stop) {
@@ -155,7 +155,7 @@ std::optional<CompileError> error_with_ours(const Workspace& workspace, const Ex
         .build(ingredients_of(workspace, exercise, tools, ours.headers), stop);
 }
 
-/// Adds what a program reported. Cases without a scalar are in all programs; the first result stands.
+/// Adds what a program reported. Cases without a scalar are in all programs; the first result is kept.
 void add(TestRun& run, Report report) {
     for (CaseResult& one : report.cases) {
         const auto same = std::find_if(run.cases.begin(), run.cases.end(),
@@ -208,7 +208,7 @@ TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const To
         programs.emplace_back(workspace, exercise, tools, request, scalar);
         if (programs.back().sources().empty()) programs.pop_back();
     }
-    std::stop_source enough;  // of the others, when one fails
+    std::stop_source enough;  // stops the others when one fails
     const std::stop_callback both(stop, [&] { enough.request_stop(); });
     std::vector<std::future<Tried>> tries;
     const auto try_next = [&] {

@@ -13,7 +13,7 @@
 
 namespace glassbox::learn {
 
-/// The function that an exception names which lessons/not_written.hpp throws; "" for the text of any other.
+/// Returns the function named by an exception of lessons/not_written.hpp; "" for the text of any other.
 std::string function_not_written(const std::string& threw);
 
 /// The first thing that went wrong in a test case.
@@ -25,7 +25,7 @@ struct Failure {
     std::string got;                    ///< of a condition its two sides: "3 == 4"
     std::string ulps;                   ///< how far they are apart; "" where it says nothing
     std::string threw;                  ///< what the exception says, if there was one
-    std::string died;                   ///< what ended the program in the middle of it, in words
+    std::string died;                   ///< what ended the program during the case, in words
     std::string death;                  ///< the same without what differs from run to run
     std::vector<std::string> contexts;  ///< "size := 8192"
     std::vector<std::string> subcases;  ///< "textbook"
@@ -56,24 +56,24 @@ struct TestRun {
 /// Whose headers are tested, and how.
 struct TestRequest {
     std::filesystem::path headers;             ///< the folder that comes first on the include path
-    std::filesystem::path folder;              ///< where the program is made; it must be there
+    std::filesystem::path folder;              ///< where the program is made; it must exist
     bool at_once = true;                       ///< try several scalars at the same time, to answer soon
     std::chrono::milliseconds deadline{5000};  ///< for the tests of a scalar
-    /// Is told how it went so far, when all has passed and only the last scalar takes longer.
+    /// Called with the results so far when all has passed and only the last scalar takes longer.
     std::function<void(const TestRun&)> so_far = {};
 };
 
-/// Compiles a lesson's tests against headers, runs them in processes of their own and reads what they report: for
-/// double, where that goes well for float, and where that goes well for long double. What is compiled already and has
-/// not changed is run as it is. Throws Error if the machine or the project is not as it should be.
+/// Compiles a lesson's tests against headers, runs them in subprocesses and reads their reports: for double; if that
+/// passes, for float; if that passes, for long double. Runs programs that have not changed without compiling them
+/// again. Throws Error if the machine or the project is not as it should be.
 TestRun run_tests(const Workspace& workspace, const Exercise& exercise, const Toolchain& tools,
                   const TestRequest& request, const std::stop_token& stop = {});
 
-/// The folders that a lesson's programs search for headers: the given ones, and then ours up to the lesson's stage.
+/// Returns the include folders of a lesson's programs: the given ones, then ours up to the lesson's stage.
 std::vector<std::filesystem::path> includes_of(const Workspace& workspace, const Exercise& exercise,
                                                const std::filesystem::path& headers);
 
-/// The headers of a lesson in that folder, as a compiler's errors are looked for in them.
+/// Returns the headers of a lesson in that folder, in which to look for a compiler's errors.
 OwnHeaders own_headers(const Exercise& exercise, const std::filesystem::path& headers);
 
 }  // namespace glassbox::learn

@@ -23,7 +23,7 @@ std::string text_with_something(const Value& value) {
     return string;
 }
 
-/// A list of strings, at least one.
+/// A list of at least one string.
 std::vector<std::string> texts(const Value& value) {
     const toml::array* array = value.node->as_array();
     if (!array || array->empty()) throw wrong(value, R"(must be a list of strings, like ["one", "two"])");
@@ -33,7 +33,7 @@ std::vector<std::string> texts(const Value& value) {
     return all;
 }
 
-/// The name of a file or folder of our own: no way out of where it is looked for.
+/// The name of a file or folder of our own; it cannot lead out of the folder where it is looked for.
 std::string relative_path(const Value& value) {
     std::string path = text(value);
     const fs::path parts(path);
@@ -75,7 +75,7 @@ Function read_function(const Section& section, const std::vector<std::string>& h
     return function;
 }
 
-/// The number that a lesson's folder begins with; 0 if it is no lesson's.
+/// Returns the number that a lesson's folder begins with; 0 if it is not a lesson's.
 int number_of(const std::string& name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits == 0 || digits > 3 || digits == std::string::npos || name[digits] != '-') return 0;

@@ -17,11 +17,11 @@ struct Function {
 };
 inline constexpr int hint_tiers = 3;
 
-/// How a lesson's headers draw the learner's own picture: by bounds, where they are about those and plain double would
-/// not change; not at all, where no tracer of ours includes them.
+/// How a lesson's headers draw the learner's own picture: by bounds, where the lesson is about bounds and plain double
+/// would show no change; not at all, where none of our tracers includes the headers.
 enum class OwnPicture { in_double, by_bounds, none };
 
-/// What one lesson asks to be written: its exercise.toml.
+/// What one lesson asks the learner to write: its exercise.toml.
 struct Exercise {
     int number = 0;                ///< 2
     std::string name;              ///< "2-spheres", its folder in lessons/ and in the learner's folder
@@ -49,8 +49,7 @@ struct Mistake {
     Place place;             ///< where mistakes.toml has it
 };
 
-/// Reads lessons/N-name/exercise.toml. Throws Error with file, line and column for anything that is not as it should
-/// be.
+/// Reads lessons/N-name/exercise.toml. Throws Error with file, line and column for anything invalid.
 Exercise read_exercise(const std::filesystem::path& lesson);
 
 /// Reads lessons/N-name/mistakes.toml, in the same way.
@@ -59,10 +58,10 @@ std::vector<Mistake> read_mistakes(const Exercise& exercise);
 /// The exercises of all lessons in root/lessons that have one, by number.
 std::vector<Exercise> read_exercises(const std::filesystem::path& root);
 
-/// The function that a test case is about: the first one that claims it; none, if none does.
+/// Returns the function that a test case is about: the first one that claims it; null if none does.
 const Function* function_tested_by(const Exercise& exercise, std::string_view test_case);
 
-/// The solution's text with the mistake in it. Throws Error if `instead_of` does not stand there exactly once.
+/// Returns the solution's text with the mistake in it. Throws Error if `instead_of` does not occur exactly once.
 std::string with_mistake(const std::string& solution, const Mistake& mistake);
 
 }  // namespace glassbox::learn

@@ -24,7 +24,7 @@ constexpr NameTable<State, 5> states{{{"unknown", State::unknown, ""},
                                       {"failing", State::failing, ""},
                                       {"passed", State::passed, ""}}};
 
-/// Throws what nlohmann's library throws, or Error, for anything that is not as written by us.
+/// Throws the exceptions of nlohmann's library, or Error, for anything that is not in the form that we write.
 Progress progress_from(const Json& json) {
     if (json.at("version").get<int>() != version) throw Error("it is of another version of Glassbox");
     Progress progress;

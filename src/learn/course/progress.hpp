@@ -25,12 +25,12 @@ struct Progress {
     std::map<std::string, LessonProgress> lessons;  ///< by the lesson's name, "2-spheres"
 };
 
-/// The progress in a file; none if there is no such file. One that cannot be read is set aside, as NAME.unreadable, and
-/// `complaint` says so.
+/// Reads the progress from a file; empty if there is no such file. A file that cannot be read is renamed to
+/// NAME.unreadable, and `complaint` says so.
 Progress read_progress(const std::filesystem::path& file, std::string& complaint);
 
-/// The lesson where the learner is: the first of those begun that is not passed, or else the first of all that is not;
-/// the last one, if all are passed.
+/// Returns the lesson where the learner is: the first that is begun and not passed, or else the first that is not
+/// passed; the last one if all are passed.
 const Exercise& present_exercise(const Workspace& workspace, const Progress& progress);
 
 void write_progress(const std::filesystem::path& file, const Progress& progress);

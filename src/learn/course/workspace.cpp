@@ -91,7 +91,7 @@ bool make_starters(const Workspace& workspace, const Exercise& exercise) {
     const fs::path folder = workspace.headers_of(exercise);
     std::error_code failed;
     if (fs::is_directory(folder, failed)) return false;
-    // Whole or not at all: made under another name first.
+    // All or nothing: made under a temporary name first.
     const fs::path making = workspace.hidden() / fmt::format("new-{}-{}", exercise.name, ::getpid());
     make_folder(making);
     for (const std::string& header : exercise.headers) write_text(making / header, read_text(exercise.starter(header)));
@@ -99,7 +99,7 @@ bool make_starters(const Workspace& workspace, const Exercise& exercise) {
     if (!failed) return true;
     const std::string why = failed.message();
     fs::remove_all(making, failed);
-    if (fs::is_directory(folder, failed)) return false;  // somebody else was quicker
+    if (fs::is_directory(folder, failed)) return false;  // another process was faster
     throw error_at({folder.string()}, fmt::format("cannot make this folder: {}; name another one with --folder", why));
 }
 

@@ -17,13 +17,13 @@ struct Workspace {
     std::filesystem::path usual_folder = {};
     std::string program = "./glassbox";  ///< how it is called
     std::vector<Exercise> exercises;
-    /// The folders of lessons, by the lesson's name, that are not called as their lesson is.
+    /// The folders of lessons that are not named as their lesson is, by the lesson's name.
     std::map<std::string, std::filesystem::path> called_otherwise = {};
 
-    /// Where `learn` makes what it makes for itself, if not in the learner's folder.
+    /// Where `learn` puts the files that it makes for itself, if not in the learner's folder.
     std::filesystem::path hidden_elsewhere = {};
 
-    /// What `learn` makes for itself.
+    /// The folder of the files that `learn` makes for itself.
     std::filesystem::path hidden() const { return hidden_elsewhere.empty() ? folder / ".glassbox" : hidden_elsewhere; }
 
     /// The folder with the learner's headers of a lesson; it goes on the include path.
@@ -42,39 +42,40 @@ struct Workspace {
     }
 };
 
-/// The workspace of a program that runs in `here`: the project is the next folder above that has lessons, or else the
-/// one that this program was built from, or what was installed with it. `folder` is the learner's; empty for the usual
-/// one. Throws Error.
+/// Returns the workspace of a program that runs in `here`: the project is the nearest folder above that has lessons, or
+/// else the one that this program was built from, or what was installed with it. `folder` is the learner's; empty means
+/// the usual one. Throws Error.
 Workspace open_workspace(const std::filesystem::path& here, const std::filesystem::path& folder = {});
 
-/// The exercise that is called "2", "2-spheres" or "spheres". Throws Error, which says what there is.
+/// Returns the exercise that is called "2", "2-spheres" or "spheres". Throws Error, which lists those there are.
 const Exercise& exercise_called(const Workspace& workspace, std::string_view name);
 
-/// Makes a folder, and those that it lies in, unless it is there; returns it. Throws Error.
+/// Makes a folder and its parents, unless it exists; returns it. Throws Error.
 std::filesystem::path make_folder(const std::filesystem::path& folder);
 
 /// The same, with nothing in it.
 std::filesystem::path new_folder(const std::filesystem::path& folder);
 
-/// Throws Error if nothing more can be written in a folder: the disk is full, say. To be asked when a program could not
-/// do its work there, and that may be why.
+/// Throws Error if nothing more can be written in a folder, for example because the disk is full. Call it when a
+/// program could not do its work there and that may be why.
 void check_room(const std::filesystem::path& folder);
 
-/// Makes the learner's headers of a lesson from the starters, unless its folder is there. Returns whether it made it.
+/// Makes the learner's headers of a lesson from the starters, unless its folder exists. Returns whether it made them.
 bool make_starters(const Workspace& workspace, const Exercise& exercise);
 
-/// Puts a new text in the place of a learner's header; what was there is kept as NAME.hpp.1, or the next number that is
-/// free. Returns where it is kept; empty if there was nothing, or the same text.
+/// Replaces the text of a learner's header; keeps the old file as NAME.hpp.1, or the next number that is free. Returns
+/// where it is kept; empty if there was nothing, or the same text.
 std::filesystem::path replace_header(const Workspace& workspace, const Exercise& exercise, const std::string& header,
                                      const std::string& text);
 
-/// Puts the starters back in the place of the learner's headers; returns what is kept, and where.
+/// Replaces the learner's headers by the starters; returns what is kept, and where.
 std::vector<std::filesystem::path> reset(const Workspace& workspace, const Exercise& exercise);
 
-/// The text of a learner's header. Throws Error if it is not there, or is no text file, and says how to get one.
+/// Returns the text of a learner's header. Throws Error, which says how to get one, if it is missing or not a text
+/// file.
 std::string read_header(const Workspace& workspace, const Exercise& exercise, const std::string& header);
 
-/// A path as it is to be shown: from the folder where the program runs, if it lies in it.
+/// Returns a path for display: relative to the folder where the program runs, if it lies in it.
 std::string shown(const std::filesystem::path& path);
 
 }  // namespace glassbox::learn

@@ -16,11 +16,11 @@
 
 namespace glassbox::learn::mine {
 
-struct LeftOpen {};  ///< the bounds cannot tell whether a surface is met, or which of two is nearer
+struct LeftOpen {};  ///< the bounds cannot decide whether a surface is met, or which of two is nearer
 
-/// Finds what a ray meets first by the bounds of lesson 6 alone, a learner's perhaps: plain double where the filter is
-/// sure of a miss, else running bounds. It is the certified search without its exact arithmetic: what bounds leave open
-/// stays so.
+/// Finds what a ray meets first by the bounds of lesson 6 alone, perhaps a learner's: plain double where the filter
+/// proves a miss, else running bounds. It is the certified search without exact arithmetic: what the bounds cannot
+/// decide stays undecided.
 template <class SphereRoots, class TriangleTest>
 class BoundedSearch {
 public:
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    /// How far the number that decides is on the side of a miss, as the certified search's DecidingNumber has it.
+    /// How far the deciding number is on the side of a miss, as in the certified search's DecidingNumber.
     struct OfAMiss {
         double by = -1;
 

@@ -22,8 +22,8 @@ struct Spot {
     bool operator==(const Spot&) const = default;
 };
 
-/// What a learner's renderer has drawn, perhaps not all of the picture. A pixel that it did not get to has the colour
-/// of the one of a coarser picture that it belongs to, if that is there, or else is black.
+/// What a learner's renderer has drawn, perhaps only part of the picture. A pixel that is not drawn yet has the colour
+/// of the pixel of a coarser picture that covers it, if there is one, or else is black.
 struct Drawing {
     Image image;
     std::vector<SheetPixel::State> states;  ///< what became of each pixel, as `image` has them
@@ -34,7 +34,7 @@ struct Drawing {
     std::optional<Spot> first_undecided;     ///< from the top left
 };
 
-/// How the drawing came to its end.
+/// How the drawing ended.
 struct Drawn {
     std::shared_ptr<const Drawing> drawing;
     Outcome outcome;
@@ -43,13 +43,13 @@ struct Drawn {
     bool not_written = false;    ///< it ended because a function is not written yet: the last words say which
 };
 
-/// Lets a learner's renderer, which was compiled for the options' rules, draw a scene, in double, in a process of its
-/// own. `show` is given what is there, from time to time. Of the options all but the scalar count. Throws Error if the
-/// system has no memory or process to give.
+/// Draws a scene in double with a learner's renderer, compiled for the options' rules, in a subprocess. Calls `show`
+/// with what is there, from time to time. Uses all options but the scalar. Throws Error if the system has no memory or
+/// process to give.
 Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Options& options,
            const std::function<void(std::shared_ptr<const Drawing>)>& show, const std::stop_token& stop = {});
 
-/// What went wrong, in words, at which pixel; empty if all of the picture is drawn.
+/// Returns what went wrong, in words, and at which pixel; empty if all of the picture is drawn.
 std::string what_became_of(const Drawn& drawn);
 
 }  // namespace glassbox::learn::mine

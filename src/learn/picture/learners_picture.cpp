@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr int largest_side = 16384;
 
-/// The words for a program that wrote no picture.
+/// Returns in words how a program ended that wrote no picture.
 std::string end_of(const Outcome& outcome) {
     const std::string text = outcome.last_words.kind == LastWords::threw ? outcome.last_words.text : "";
     if (!function_not_written(text).empty()) return printable(text);

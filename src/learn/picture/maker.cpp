@@ -22,20 +22,20 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Little optimisation compiles soonest, and leaves mistakes as they were written: an endless recursion is no loop
-/// then, and a null pointer is followed. A function without a return would only crash, so it is an error.
+/// -O0 compiles fastest, and leaves mistakes as they were written: an endless recursion does not become a loop, and a
+/// null pointer is dereferenced. A function without a return would only crash, so it is an error.
 const std::vector<std::string> flags{"-O0", "-g0", "-w", "-D_GLIBCXX_ASSERTIONS", "-Werror=return-type"};
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A file of ours that cannot be made, as an Error.
+/// Throws Error if a file of ours could not be made.
 void check(const std::error_code& failed, const fs::path& path) {
     if (failed)
         throw error_at({path.string()},
                        fmt::format("cannot make this: {}; is there room, and may we write there?", failed.message()));
 }
 
-/// What our own headers and sources are now, without reading them: a new version of Glassbox compiles anew.
+/// The present state of our own headers and sources, without reading them: a new version of Glassbox recompiles.
 std::string state_of_ours(const fs::path& root) {
     std::vector<std::string> states;
     std::error_code none;
@@ -46,7 +46,7 @@ std::string state_of_ours(const fs::path& root) {
     return fingerprint(states);
 }
 
-/// The learner's headers before ours; those of all lessons but this one are ours.
+/// The learner's headers come before ours; those of all other lessons are ours.
 std::vector<fs::path> includes(const Workspace& workspace, const Exercise& exercise) {
     std::vector<fs::path> stages;
     std::error_code none;
@@ -67,8 +67,8 @@ void remove_all_that_begin_with(std::string_view name, const fs::path& folder) {
     for (const fs::path& path : found) fs::remove_all(path, none);
 }
 
-/// Where the learner's renderers lie, with the prelude that they begin with. All that is in it was made by one
-/// compiler.
+/// The folder of the learner's renderers and of the prelude that they include first. One compiler made all that is in
+/// it.
 struct Workshop {
     fs::path folder;
     std::string precompiled;
@@ -86,7 +86,7 @@ Workshop workshop(const Workspace& workspace, const Compiler& compiler, const st
     std::error_code failed;
     if (fs::is_regular_file(shop.folder / shop.precompiled, failed)) return shop;
 
-    // Whole or not at all: made under another name first. What an older compiler or Glassbox has made goes.
+    // All or nothing: made under a temporary name first. Deletes what an older compiler or Glassbox has made.
     remove_all_that_begin_with("drawing-", workspace.hidden());
     const fs::path making = workspace.hidden() / fmt::format("new-drawing-{}", ::getpid());
     make_folder(making);
@@ -99,7 +99,7 @@ Workshop workshop(const Workspace& workspace, const Compiler& compiler, const st
         throw;
     }
     fs::rename(making, shop.folder, failed);
-    if (failed) fs::remove_all(making, failed);  // somebody else was quicker
+    if (failed) fs::remove_all(making, failed);  // another process was faster
     return shop;
 }
 
@@ -140,7 +140,7 @@ Built build(const Workspace& workspace, const Exercise& exercise, const Compiler
     return built;
 }
 
-/// What the renderer is to be compiled for.
+/// Returns the flags for what the renderer is compiled for.
 std::vector<std::string> rules_of(const Exercise& exercise, const Options& options) {
     std::vector<std::string> flags_for{fmt::format("-DGLASSBOX_SPHERE_RULE={}", struct_of(options.sphere_rule)),
                                        fmt::format("-DGLASSBOX_TRIANGLE_RULE={}", struct_of(options.triangle_rule))};
@@ -148,7 +148,7 @@ std::vector<std::string> rules_of(const Exercise& exercise, const Options& optio
     return flags_for;
 }
 
-/// Rules of which another one can be chosen until they are written.
+/// Suggests another rule, if the words say that a rule is not written yet.
 std::string hint(std::string_view words) {
     for (const char* rule : {"Stable", "Textbook", "Pluecker", "Tolerance", "MoellerTrumbore"})
         if (words.starts_with(fmt::format("`{}`", rule)))
@@ -158,7 +158,7 @@ std::string hint(std::string_view words) {
 
 std::string count(std::int64_t pixels) { return pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", pixels); }
 
-/// What there is to say of pixels that are drawn, but not as they should be.
+/// Describes pixels that are drawn, but not as they should be.
 std::string about_pixels(const Drawing& drawing) {
     if (drawing.undecided > 0 && drawing.not_numbers == 0)
         return fmt::format("{} undecided: the bounds leave open what is seen there; the first is ({}, {})",
@@ -205,7 +205,7 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
         if (!fs::is_directory(workspace.headers_of(exercise), none))
             throw Error(fmt::format("{} is not begun: '{} learn test {}' makes the files that you write",
                                     shown(workspace.headers_of(exercise)), workspace.program, exercise.number));
-        // A header that is not there must not be replaced by ours in silence.
+        // A missing header must not be replaced by ours silently.
         for (const std::string& header : exercise.headers) parts.push_back(read_header(workspace, exercise, header));
     } catch (const Error& error) {
         PictureUpdate update;

@@ -1,6 +1,6 @@
 #pragma once
-// What the learner's renderer includes that is no formula: precompiled once, since it is the same at every save. A
-// header of the core must never come in here, as the learner's takes its place.
+// What the learner's renderer includes that is not a formula: precompiled once, since it is the same at every save.
+// Never include a header of the core here, as the learner's takes its place.
 #include <algorithm>
 #include <array>
 #include <atomic>

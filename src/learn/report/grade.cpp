@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Is there a header of the lesson that is not the starter as it was?
+/// Whether any header of the lesson differs from its starter.
 bool is_begun(const Workspace& workspace, const Exercise& exercise) {
     return std::ranges::any_of(exercise.headers, [&](const std::string& header) {
         const std::string written = content_of(workspace.header(exercise, header));
@@ -26,15 +26,15 @@ bool is_begun(const Workspace& workspace, const Exercise& exercise) {
     });
 }
 
-/// Whether a path is, behind all links, in that folder.
+/// Whether a path, with all links resolved, is in that folder.
 bool is_really_in(const fs::path& folder, const fs::path& path) {
     std::error_code none;
     const fs::path near = fs::relative(path, folder, none);  // both without links
     return !none && !near.empty() && *near.begin() != "..";
 }
 
-/// What is wrong with a header that is missing, is no text file, or is a link to a file of somebody else's; "" if there
-/// are all. Ours must not take its place.
+/// Returns what is wrong with a header that is missing, is no text file, or is a link to somebody else's file; "" if
+/// all can be used. Ours must not take its place.
 std::string why_unusable(const Workspace& workspace, const Exercise& exercise) {
     try {
         for (const std::string& header : exercise.headers) {
@@ -50,8 +50,8 @@ std::string why_unusable(const Workspace& workspace, const Exercise& exercise) {
     return "";
 }
 
-/// Throws Error if a learner's headers can only be read by the powers of root, which what runs isolated has not: told
-/// to be unreadable by the compiler, they would look like the learner's fault.
+/// Throws Error if a learner's headers can only be read by root: an isolated compiler does not have root's powers,
+/// would report them as unreadable, and that would look like the learner's fault.
 void check_readable(const Workspace& workspace, const Exercise& exercise) {
     const auto is_open = [](const fs::path& path, mode_t bits) {
         struct stat found {};
@@ -67,7 +67,7 @@ void check_readable(const Workspace& workspace, const Exercise& exercise) {
     }
 }
 
-/// What the learner's folder remembers, read from a copy: reading sets aside what is unreadable.
+/// Returns the progress in the learner's folder, read from a copy, because reading renames an unreadable file.
 Progress remembered(const Workspace& learner, const fs::path& scratch, std::string& complaint) {
     const fs::path copy = make_folder(scratch) / "progress.json";
     std::error_code none;

@@ -13,22 +13,21 @@
 
 namespace glassbox::learn {
 
-/// Whether learners' programs, and the compiler on their files, run apart from all else
-/// (learn/subprocess/isolation.hpp).
+/// Whether learners' programs, and the compiler on their files, run isolated (learn/subprocess/isolation.hpp).
 enum class Isolating { where_possible, always };
 
-/// Says how learners stand. What it makes lies in the hidden folder of the teacher's own workspace; in the folders that
-/// it looks at nothing is changed.
+/// Grades learners. Puts the files that it makes in the hidden folder of the teacher's own workspace, and changes
+/// nothing in the folders that it looks at.
 class Grader {
 public:
-    /// `say` is told what is being done. Throws Error if there is no compiler, or if it must isolate and cannot.
+    /// Calls `say` with what is being done. Throws Error if there is no compiler, or if it must isolate and cannot.
     Grader(Workspace teacher, Isolating isolating, std::function<void(const std::string&)> say);
 
     /// Why learners' code does not run isolated; "" if it does.
     const std::string& why_not_isolated() const { return why_not_isolated_; }
 
-    /// How a learner stands: every lesson begun is tested, and its picture drawn. Throws Error if the machine cannot do
-    /// it; Cancelled when asked to stop.
+    /// Returns how a learner stands: tests every lesson begun and draws its picture. Throws Error if the machine cannot
+    /// do it, Cancelled when asked to stop.
     LearnerStanding grade(const HandedIn& handed_in, const std::stop_token& stop = {});
 
 private:

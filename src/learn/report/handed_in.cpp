@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int deepest = 4;                    // folders in folders: an archive's, a name's, Glassbox's, my
-constexpr std::size_t most_entries = 10'000;  // entries that are looked at: nobody hands in more by hand
+constexpr int deepest = 4;                    // nested folders: an archive's, a name's, Glassbox's, my
+constexpr std::size_t most_entries = 10'000;  // entries looked at: nobody hands in more by hand
 
 std::string note(const fs::path& where, const std::string& what) {
     return fmt::format("{}: note: {}", shown(where), what);
@@ -33,7 +33,7 @@ bool is_called(const fs::path& folder, const Exercise& exercise) {
            name == std::to_string(exercise.number);
 }
 
-/// What is in a folder, in order, without what is hidden; nothing if it cannot be looked into.
+/// Returns what is in a folder, in order, without hidden entries; nothing if it cannot be read.
 std::vector<fs::path> entries_of(const fs::path& folder) {
     std::vector<fs::path> entries;
     std::error_code failed;
@@ -61,7 +61,7 @@ bool has_header_of(const fs::path& folder, const Exercise& exercise) {
     });
 }
 
-/// The lesson's folder in a learner's: the one of its very name, or else the first that is called like it.
+/// Returns the lesson's folder in a learner's: the one with exactly its name, or else the first with a similar name.
 fs::path lesson_in(const fs::path& learner, const Exercise& exercise) {
     if (has_header_of(learner / exercise.name, exercise)) return learner / exercise.name;
     for (const fs::path& folder : folders_in(learner))
@@ -73,7 +73,7 @@ bool has_lessons_begun(const fs::path& folder, const std::vector<Exercise>& exer
     return std::ranges::any_of(exercises, [&](const Exercise& one) { return !lesson_in(folder, one).empty(); });
 }
 
-/// Of the folders in a folder those where a learner's may be: of all of Glassbox only my/, as the rest is ours.
+/// Returns the subfolders where a learner's may be: of all of Glassbox only my/, as the rest is ours.
 std::vector<fs::path> next_level(const fs::path& folder) {
     std::error_code none;
     std::vector<fs::path> folders = folders_in(folder);
@@ -82,7 +82,7 @@ std::vector<fs::path> next_level(const fs::path& folder) {
     return folders;
 }
 
-/// The folders that have lessons' folders, on the first level where there are any.
+/// Returns the folders that contain lessons' folders, on the first level where there are any.
 std::vector<fs::path> learners_folders(const fs::path& top, const std::vector<Exercise>& exercises) {
     std::vector<fs::path> level{top}, found;
     for (int depth = 0; depth <= deepest && found.empty(); ++depth) {
@@ -97,7 +97,7 @@ std::vector<fs::path> learners_folders(const fs::path& top, const std::vector<Ex
     return found;
 }
 
-/// Files that are called like a lesson's headers, in a learner's folder or those in it.
+/// Returns files named like a lesson's headers, in a learner's folder or its subfolders.
 std::vector<fs::path> strays(const fs::path& folder, const Exercise& exercise, int depth = 0) {
     std::vector<fs::path> found;
     std::error_code none;

@@ -26,7 +26,7 @@ pre { border-left: .3em solid var(--bad); padding: .4em 1em; overflow-x: auto; f
 @media print { h1 { page-break-before: always; } h1:first-of-type { page-break-before: auto; } }
 )";
 
-/// Text as text: nothing of it is read as HTML.
+/// Escapes text, so that nothing in it is read as HTML.
 std::string escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -66,7 +66,7 @@ std::string figure(const Image& image, const std::string& caption) {
         escaped(caption), base64(png(image)));
 }
 
-/// Orange where they differ; elsewhere ours, dark, to find the place by.
+/// Orange where the pictures differ; elsewhere ours, darkened, for orientation.
 Image difference(const Image& mine, const Image& ours) {
     Image result(ours.width, ours.height);
     const auto dark = [](std::uint8_t channel) { return static_cast<std::uint8_t>(channel / 4); };
@@ -166,7 +166,7 @@ std::string section(const LessonStanding& lesson) {
     return html + pictures(lesson);
 }
 
-/// "✓", "3/5", "✗ 3/5" where it does not compile, "–": one lesson in a table.
+/// One lesson in a table: "✓", "3/5", "✗ 3/5" where it does not compile, "–".
 std::string cell(const LessonStanding& lesson) {
     if (lesson.grade == Grade::passed) return lesson.gave_up ? "✓ (gave up)" : "✓";
     if (lesson.grade == Grade::not_begun) return "–";
@@ -199,12 +199,12 @@ std::string html_table(const std::vector<LearnerStanding>& learners) {
     return html + fmt::format("</table>\n<p class=\"faint\">{}</p>\n", legend);
 }
 
-/// How many columns of a terminal it takes: its characters, each one wide.
+/// Returns how many columns of a terminal a text takes: one for each character.
 std::size_t columns(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Quoted where CSV needs it (RFC 4180).
+/// Quotes a field where CSV requires it (RFC 4180).
 std::string field(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -262,7 +262,7 @@ std::string to_table(const std::vector<LearnerStanding>& learners) {
 
 std::string to_csv(const std::vector<LearnerStanding>& learners) {
     std::string text =
-        "learner,lesson,grade,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,"
+        "learner,lesson,verdict,functions_passed,functions,tests_passed,tests_waiting,tests,pixels_differing,hints,"
         "runs,"
         "gave_up\n";
     for (const auto& learner : learners) {

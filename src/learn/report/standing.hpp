@@ -16,7 +16,7 @@ struct FunctionStanding {
     std::string waits_for = {};  ///< the function that it waits for, if it waits
 };
 
-/// What became of a lesson's tests. Unfinished: nothing fails, but something is not written yet.
+/// The result of a lesson's tests. Unfinished: nothing fails, but something is not written yet.
 enum class Grade { not_begun, does_not_compile, failing, unfinished, passed };
 
 /// How a learner stands in a lesson, as a teacher wants to know it.
@@ -45,7 +45,7 @@ struct LearnerStanding {
 
 int functions_passed(const LessonStanding& lesson);
 
-/// How many pixels of the learner's picture differ from ours; none, if there is no picture of the same size.
+/// Returns how many pixels of the learner's picture differ from ours; none if there is no picture of the same size.
 std::optional<int> pixels_differing(const LessonStanding& lesson);
 
 }  // namespace glassbox::learn

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What compilers and programs need of the system, as far as it is there. Nothing of it is a secret.
+/// What compilers and programs need of the system, where it exists. None of it is secret.
 constexpr std::array system_files{"/usr",
                                   "/bin",
                                   "/sbin",
@@ -39,7 +39,7 @@ std::vector<std::string> isolating_command(const Isolation& isolation, const fs:
     std::vector<std::pair<fs::path, const char*>> seen;
     for (const fs::path& path : isolation.reads) seen.emplace_back(path.lexically_normal(), "--ro-bind-try");
     for (const fs::path& path : isolation.writes) seen.emplace_back(path.lexically_normal(), "--bind");
-    // A folder goes before what lies in it: what comes later hides what is there.
+    // A folder comes before what lies in it, because a later mount hides what is there.
     std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [path, how] : seen) words.insert(words.end(), {how, path.string(), path.string()});
     words.insert(words.end(), {"--remount-ro", "/"});

@@ -15,18 +15,18 @@
 
 namespace glassbox::learn {
 
-/// How a program came to its end, as it says itself. It lies in memory shared with whoever runs the program
-/// (child.hpp), so that it can be read when the program is no more. This header stands alone: programs made of a
-/// learner's code include it.
+/// How a program ended, as it reports itself. It lies in memory shared with whoever runs the program (subprocess.hpp),
+/// so that it can be read when the program has ended. This header stands alone: programs made of a learner's code
+/// include it.
 struct LastWords {
     enum Kind : std::uint32_t {
         none,            ///< it never listened, or something ended it from outside
-        running,         ///< it listens; what ended it gave it no time to speak (SIGKILL)
+        running,         ///< it listens; what ended it left it no time to report (SIGKILL)
         finished,        ///< its work is done
         left,            ///< exit was called before that
         threw,           ///< an exception that nobody caught: `text` is its what()
         crashed,         ///< the signal `signal`, with its si_code, and the address that it is about
-        cannot_write,    ///< it could not write what it had to say: the disk is full, say
+        cannot_write,    ///< it could not write its output: the disk is full, say
         stack_overflow,  ///< the stack was used up, most likely by a function that calls itself without end
     };
     volatile std::uint32_t kind = none;
@@ -36,12 +36,11 @@ struct LastWords {
     char text[480] = "";
 };
 
-/// The environment variable with the descriptor of the memory for the last words, and that of memory of the caller's
-/// own.
+/// The environment variables that hold the descriptors of the memory for the last words and of the caller's own memory.
 inline constexpr const char* last_words_variable = "GLASSBOX_LAST_WORDS";
 inline constexpr const char* shared_memory_variable = "GLASSBOX_SHARED_MEMORY";
 
-/// Memory of `bytes` bytes that the caller handed down under that name, mapped; null if there is none.
+/// Maps `bytes` bytes of memory that the caller handed down under that name; null if there is none.
 inline void* handed_down(const char* variable, std::size_t bytes) {
     const char* descriptor = std::getenv(variable);
     if (descriptor == nullptr) return nullptr;
@@ -49,7 +48,7 @@ inline void* handed_down(const char* variable, std::size_t bytes) {
     return memory == MAP_FAILED ? nullptr : memory;
 }
 
-/// This program's last words: the caller's memory, or its own where nobody listens. (Signal handlers are given no
+/// This program's last words: in the caller's memory, or in its own if nobody listens. (Signal handlers get no
 /// context.)
 inline LastWords& last_words() {
     static LastWords own;
@@ -70,7 +69,7 @@ inline std::uintptr_t stack_size() {
     return known ? static_cast<std::uintptr_t>(limit.rlim_cur) : std::uintptr_t{8} << 20;
 }
 
-/// Below the stack's end lies its guard; a large frame may reach past that, too.
+/// Below the stack's end is its guard page; a large frame may reach past that, too.
 inline bool is_beyond_the_stack(std::uintptr_t address) {
     const std::uintptr_t end = stack_top() - stack_size();
     const std::uintptr_t slack = std::uintptr_t{1} << 20;
@@ -79,7 +78,7 @@ inline bool is_beyond_the_stack(std::uintptr_t address) {
 
 inline void on_signal(int signal, siginfo_t* info, void*) {
     LastWords& words = last_words();
-    if (words.kind != LastWords::threw) {  // else std::terminate has spoken already, and this is its abort
+    if (words.kind != LastWords::threw) {  // else std::terminate has reported already, and this is its abort
         const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
         const bool memory = signal == SIGSEGV || signal == SIGBUS;
         words.signal = signal;
@@ -121,15 +120,15 @@ inline void on_exit() {
 
 }  // namespace last_words_detail
 
-/// From now on this program's end is told. To be called first in main(): where the stack begins is learnt here.
+/// From now on this program's end is reported. Call it first in main(): it notes where the stack begins.
 inline void listen_for_the_end() {
     using namespace last_words_detail;
     last_words().kind = LastWords::running;
     stack_top() = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
 #ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody is left to stop it when its caller has gone
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody could stop it after its caller has gone
 #endif
-    static char handlers_stack[64 * 1024];  // the handler needs a place to run when the stack is used up
+    static char handlers_stack[64 * 1024];  // the handler needs a stack when the main one is used up
     stack_t stack{};
     stack.ss_sp = handlers_stack;
     stack.ss_size = sizeof(handlers_stack);
@@ -142,7 +141,7 @@ inline void listen_for_the_end() {
     std::atexit(on_exit);
 }
 
-/// The work is done; an exit from now on is as it should be.
+/// The work is done; from now on an exit is normal.
 inline void work_is_done() { last_words().kind = LastWords::finished; }
 
 }  // namespace glassbox::learn

@@ -10,7 +10,7 @@
 namespace glassbox::learn {
 namespace {
 
-constexpr std::uint64_t first_page = 65536;  // nothing ever lies there: whoever goes there has added to a null pointer
+constexpr std::uint64_t first_page = 65536;  // never mapped: such an address is an offset from null
 
 std::string in_mebibytes(std::uint64_t bytes) {
     const std::uint64_t mebibytes = bytes >> 20;
@@ -18,7 +18,7 @@ std::string in_mebibytes(std::uint64_t bytes) {
                                                       : fmt::format("{} MiB", mebibytes);
 }
 
-/// The last line with anything in it, printable.
+/// Returns the last line that is not blank, made printable.
 std::string last_line(std::string_view text) {
     while (!text.empty() && std::strchr("\n\r ", text.back())) text.remove_suffix(1);
     const std::size_t start = text.rfind('\n');

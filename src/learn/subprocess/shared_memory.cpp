@@ -17,7 +17,7 @@
 namespace glassbox::learn {
 namespace {
 
-/// A file that has no name any more: its memory is given back with its last descriptor.
+/// Opens a file that has no name any more: its memory is freed with its last descriptor.
 int open_nameless() {
 #ifdef __linux__
     const int memory = ::memfd_create("glassbox", MFD_CLOEXEC);

@@ -3,8 +3,8 @@
 
 namespace glassbox::learn {
 
-/// Memory without a name, all 0 at first, that a program run by us can see, too: its descriptor is handed down, and
-/// both map it. Throws Error if the system has none to give.
+/// Memory without a name, all 0 at first, shared with a program that we run: it inherits the descriptor, and both map
+/// it. Throws Error if the system has none to give.
 class SharedMemory {
 public:
     explicit SharedMemory(std::size_t bytes);

@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The descriptors that a child finds its memory under; its environment names them.
+/// The descriptors of the memory handed to a child; its environment names them.
 constexpr int last_words_descriptor = 3;
 constexpr int shared_descriptor = 4;
 
@@ -36,7 +36,7 @@ constexpr int shared_descriptor = 4;
                             std::system_category().message(number)));
 }
 
-/// An open file descriptor, closed at the end of its life.
+/// An open file descriptor, closed by the destructor.
 class Descriptor {
 public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -60,7 +60,7 @@ struct Pipe {
     Descriptor read, write;
 };
 
-/// A pipe that no child inherits unasked, its ends above the descriptors that a child is given.
+/// Makes a pipe that no child inherits by accident, its ends above the descriptors that a child is given.
 Pipe make_pipe() {
     int ends[2];
     if (::pipe(ends) != 0) fail("make a pipe", errno);
@@ -77,7 +77,7 @@ class Captured {
 public:
     explicit Captured(std::size_t kept) : kept_(kept) {}
 
-    /// Takes what is there; false at the end.
+    /// Reads what is available; false at the end.
     bool take(const Descriptor& from) {
         std::array<char, 65536> buffer;
         const ssize_t count = ::read(from.number(), buffer.data(), buffer.size());
@@ -89,7 +89,7 @@ public:
         return bytes > 0;
     }
 
-    /// What a process that is no more left in the pipe, whose other end may yet be held by something that left its
+    /// Reads what an ended process left in the pipe, whose other end may still be held by a process that left its
     /// session.
     void take_rest(const Descriptor& from, std::size_t most) {
         if (from.number() < 0) return;
@@ -104,14 +104,13 @@ public:
 private:
     std::size_t kept_;
     std::size_t total_ = 0;
-    bool waiting_ = false;  // nothing was there at the last look
+    bool waiting_ = false;  // nothing was available at the last read
     std::string text_;
 };
 
-/// A shell sets the limits and becomes the program. posix_spawn knows no limits; to set them from outside (prlimit)
-/// would be too late by a moment, and Linux only; and what fork() leaves behind of a program with threads may run
-/// little more than exec. A limit that a system does not know, or that is above what we may use ourselves, stays as it
-/// is.
+/// A shell sets the limits and executes the program. posix_spawn cannot set limits; setting them from outside (prlimit)
+/// would be a moment too late, and Linux only; and after fork() in a program with threads, little more than exec is
+/// allowed. A limit that the system does not know, or that is above our own, stays as it is.
 std::string launcher(const Command& command) {
     const Limits& limits = command.limits;
     using std::chrono::seconds;
@@ -149,7 +148,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     return result;
 }
 
-/// Starts the launcher; returns the number of its process, which is its session and its group, too.
+/// Starts the launcher; returns the id of its process, which is also that of its session and its group.
 pid_t start(const Command& command, const SharedMemory& last_words, const Pipe& output, const Pipe& errors) {
     std::vector<std::string> arguments{"sh", "-c", launcher(command), "sh"};
     if (command.isolation)
@@ -168,7 +167,7 @@ pid_t start(const Command& command, const SharedMemory& last_words, const Pipe& 
     if (command.shared) posix_spawn_file_actions_adddup2(&actions, command.shared->descriptor(), shared_descriptor);
     if (!command.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
 
-    // Whoever runs us may have blocked or ignored signals; the program should find them as from a shell.
+    // Our caller may have blocked or ignored signals; the program should get them as from a shell.
     sigset_t none, all;
     sigemptyset(&none);
     sigfillset(&all);
@@ -188,7 +187,7 @@ pid_t start(const Command& command, const SharedMemory& last_words, const Pipe& 
     return process;
 }
 
-/// A running process; whatever happens, it is gone with its session at the end of this life.
+/// A running process; the destructor ends it and its session, whatever happens.
 class Process {
 public:
     explicit Process(pid_t number) : number_(number) {
@@ -202,7 +201,7 @@ public:
         if (number_ > 0) reap();
     }
 
-    /// Readable when the process has ended; -1 where the system has no such thing, and has_ended() must be asked.
+    /// Readable when the process has ended; -1 where the system has no such descriptor, and has_ended() must be called.
     int ended() const { return ended_.number(); }
 
     bool has_ended() const {
@@ -210,8 +209,8 @@ public:
         return ::waitid(P_PID, static_cast<id_t>(number_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
     }
 
-    /// Ends it, if it has not ended, and all of its session; returns its status as of waitpid. The session is ended
-    /// before the process is waited for: as long as it is not, nobody else can have its number.
+    /// Ends the process, if it has not ended, and all of its session; returns its status as from waitpid. Ends the
+    /// session before it waits for the process: until then nobody else can get its number.
     int reap() {
         ::kill(-number_, SIGKILL);
         ::kill(number_, SIGKILL);
@@ -244,7 +243,7 @@ bool is_in_path(const std::string& program) {
     return false;
 }
 
-/// Why the program cannot be run, if that is plain to see; the shell's own words are no help.
+/// Returns why the program cannot be run, if that is easy to see; the shell's own words do not help.
 std::string why_not(const Command& command) {
     std::error_code ignored;
     if (!command.folder.empty() && !std::filesystem::is_directory(command.folder, ignored))
@@ -260,15 +259,15 @@ std::string why_not(const Command& command) {
     return "";
 }
 
-/// What bubblewrap's exit status says of the program that it ran: as a shell, it adds 128 to a signal's number. A
-/// program that called exit() with such a status has said so.
+/// What bubblewrap's exit status says about the program that it ran: like a shell, it adds 128 to a signal's number. If
+/// the program itself called exit() with such a status, its last words say so.
 std::optional<int> signal_of_isolated(const LastWords& words, int exit_status) {
     const bool exited = words.kind == LastWords::left || words.kind == LastWords::finished;
     if (exited || exit_status <= 128 || exit_status > 128 + 64) return {};
     return exit_status - 128;
 }
 
-/// Whether an end looks as if memory had run out. The guess: a failed new says so, and the system kills with a signal
+/// Whether the program probably ran out of memory. A guess: a failed new reports it, and the system kills with a signal
 /// that nobody else sends.
 bool looks_like_memory(const LastWords& words, int signal, const std::string& errors) {
     const std::string_view text = words.text;

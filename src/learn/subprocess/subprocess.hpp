@@ -16,9 +16,9 @@
 
 namespace glassbox::learn {
 
-/// What a program may use up.
+/// Limits on what a program may use.
 struct Limits {
-    std::chrono::milliseconds time{10'000};         ///< until it is ended, with all that it started
+    std::chrono::milliseconds time{10'000};         ///< until it is ended, with all processes that it started
     std::uint64_t memory = std::uint64_t{2} << 30;  ///< bytes of address space; 0: no limit (sanitizers need terabytes)
     std::size_t output = std::size_t{64} << 10;     ///< bytes kept of each of its two outputs
     std::size_t endless = std::size_t{16} << 20;    ///< bytes of output after which it is ended
@@ -29,28 +29,28 @@ struct Limits {
 struct Command {
     std::filesystem::path program;                                      ///< looked up in PATH if it has no /
     std::vector<std::string> arguments;                                 ///< without the program's name
-    std::vector<std::pair<std::string, std::string>> environment = {};  ///< besides ours, and in its place
+    std::vector<std::pair<std::string, std::string>> environment = {};  ///< added to ours, or replacing it
     std::filesystem::path folder = {};                                  ///< where it runs; empty: where we do
     Limits limits = {};
-    /// Called every 50 ms or so while it runs. Whenever it answers that the program has got on, Limits::time begins
-    /// anew.
+    /// Called about every 50 ms while it runs. Whenever it returns that the program has made progress, Limits::time
+    /// starts again.
     std::function<bool()> has_got_on = {};
-    std::optional<Isolation> isolation = {};  ///< set apart from all else, with no more than this
+    std::optional<Isolation> isolation = {};  ///< runs isolated, with access to no more than this
     const SharedMemory* shared = nullptr;     ///< handed down as shared_memory_variable; must live until run() returns
 };
 
-/// What made an end of a program.
+/// What ended a program.
 enum class End {
     exited,       ///< it ended by itself: Outcome::status is its exit status
     signal,       ///< it crashed: Outcome::status is the signal's number
-    deadline,     ///< Limits::time was over
+    deadline,     ///< Limits::time ran out
     output,       ///< it wrote more than Limits::endless
-    memory,       ///< it asked for more than Limits::memory, as it seems: std::bad_alloc, or the system ended it
+    memory,       ///< it probably needed more than Limits::memory: std::bad_alloc, or the system ended it
     stopped,      ///< we were asked to stop
     not_started,  ///< there is no such program: Outcome::errors says why
 };
 
-/// How a program ended, and what it said.
+/// How a program ended, and what it printed.
 struct Outcome {
     End end = End::not_started;
     int status = 0;
@@ -64,12 +64,13 @@ struct Outcome {
     bool well() const { return end == End::exited && status == 0 && last_words.kind != LastWords::left; }
 };
 
-/// Runs a program in a process and a session of its own, with nothing to read, and waits for its end. When it ends, in
-/// whatever way, all that it started and that has not left its session ends, too. Never throws for what the program
-/// does; throws Error if the system has no process, pipe or memory to give. May be called by several threads at once.
+/// Runs a program in a process and a session of its own, with an empty input, and waits for its end. When it ends, in
+/// whatever way, all processes that it started and that have not left its session are ended, too. Never throws for what
+/// the program does; throws Error if the system has no process, pipe or memory to give. May be called by several
+/// threads at once.
 Outcome run(const Command& command, const std::stop_token& stop = {});
 
-/// An end that is not well, in words for someone who learns to program, without a full stop: "it followed a null
+/// Describes an abnormal end, in words for someone who learns to program, without a full stop: "it followed a null
 /// pointer (address 0x8)", "it ran for 5 s without ending: an endless loop?". Empty if all was well.
 std::string how_it_ended(const Outcome& outcome);
 

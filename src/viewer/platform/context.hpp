@@ -4,8 +4,8 @@ struct ImGuiContext;
 
 namespace glassbox {
 
-/// A Dear ImGui context that draws with the OpenGL context current at its making, in which it must be destroyed, too.
-/// It reads and writes no file of settings.
+/// A Dear ImGui context that draws with the OpenGL context that is current when it is made; the same one must be
+/// current when it is destroyed. Reads and writes no settings file.
 class GuiContext {
 public:
     GuiContext();
@@ -19,8 +19,8 @@ private:
     ImGuiContext* context_;
 };
 
-/// Draws what ImGui::Render left behind into the framebuffer that is bound, of this size in pixels. What no window
-/// covers has the colour of windows: clearing costs far less than filling.
+/// Draws the result of ImGui::Render into the bound framebuffer, of this size in pixels. Where there is no ImGui window
+/// it has the colour of windows: clearing costs far less than filling.
 void draw_gui(int width, int height);
 
 }  // namespace glassbox

@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto no_key = ImGuiKey{};
 
-// Of the letters, those that text fields know with Ctrl: undo, redo, cut, copy, paste, select all.
+// Only the letters that text fields use with Ctrl: undo, redo, cut, copy, paste, select all.
 ImGuiKey letter_key(char32_t letter) {
     switch (letter) {
         case 'a':
@@ -27,7 +27,7 @@ ImGuiKey letter_key(char32_t letter) {
     }
 }
 
-/// Dear ImGui's name of a key; none where it need not know of the key itself, only of what it types.
+/// Returns Dear ImGui's name of a key; none if it needs only the character that the key types.
 ImGuiKey gui_key(const KeyPress& press) {
     switch (press.key) {
         case Key::character:
@@ -66,7 +66,7 @@ unsigned typed_character(const KeyPress& press) {
     return press.character - (capital ? U'a' - U'A' : 0);
 }
 
-// Dear ImGui 1.87 replaced the writing of its fields by functions.
+// Since version 1.87 Dear ImGui has functions instead of fields to write to.
 #if IMGUI_VERSION_NUM >= 18700
 void set_mouse(ImGuiIO& io, float x, float y, const bool (&buttons)[3], float wheel) {
     io.AddMousePosEvent(x, y);
@@ -86,7 +86,7 @@ void set_modifiers(ImGuiIO& io, bool control, bool shift) {
 #endif
 }
 
-void set_up(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }  // all that is fed belongs to one frame
+void set_up(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }  // all fed input belongs to one frame
 #else
 void set_mouse(ImGuiIO& io, float x, float y, const bool (&buttons)[3], float wheel) {
     io.MousePos = {x, y};

@@ -10,8 +10,8 @@
 namespace glassbox {
 namespace {
 
-// First and last of each block that we draw from; the fonts lack some of these characters. Newer Dear ImGui needs no
-// list.
+// First and last character of each block that we use; the fonts lack some of these characters. Newer versions of Dear
+// ImGui need no list.
 constexpr ImWchar characters[] = {0x0020, 0x017F,  // Latin
                                   0x02B0, 0x036F,  // letters as modifiers, combining accents
                                   0x0370, 0x03FF,  // Greek
@@ -26,12 +26,12 @@ constexpr ImWchar characters[] = {0x0020, 0x017F,  // Latin
                                   0x26A0, 0x26A0,  // ⚠
                                   0x2713, 0x2718,  // ✓ ✗
                                   0x27E8, 0x27EB,  // ⟨ ⟩
-                                  0xFFFD, 0xFFFD,  // what stands for a broken byte
+                                  0xFFFD, 0xFFFD,  // stands for an invalid byte
                                   0};
 
 ImFont* add_font(std::span<const unsigned char> file, float size) {
     ImFontConfig config;
-    config.FontDataOwnedByAtlas = false;  // it lies in the program, and is only read: hence the const_cast
+    config.FontDataOwnedByAtlas = false;  // it is part of the program, and only read: hence the const_cast
     config.OversampleH = size < 24 ? 3 : 2;
     config.OversampleV = 1;
     config.PixelSnapH = false;
@@ -44,7 +44,7 @@ ImFont* add_font(std::span<const unsigned char> file, float size) {
 Fonts load_fonts(float size) {
     ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM < 19200
-    // The renderer holds a texture of all characters since its first frame. Newer ones update theirs themselves.
+    // The renderer has kept a texture of all characters since its first frame. Newer versions update theirs themselves.
     const bool drawn = io.Fonts->TexID != ImTextureID{};
     if (drawn) ImGui_ImplOpenGL3_DestroyFontsTexture();
 #else

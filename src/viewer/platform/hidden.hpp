@@ -2,9 +2,9 @@
 
 namespace glassbox {
 
-/// An OpenGL 3.3 core context that draws to nothing that can be seen, with debug output where the system has it. By
-/// EGL, which needs no display; where there is no EGL, it belongs to a hidden window. Current once it is made. Throws
-/// Error where there is no OpenGL 3.3.
+/// An OpenGL 3.3 core context without a visible window, with debug output where the system has it. Uses EGL, which
+/// needs no display; without EGL it uses a hidden window. It is current after construction. Throws Error if there is no
+/// OpenGL 3.3.
 class HiddenContext {
 public:
     HiddenContext();
@@ -14,7 +14,7 @@ public:
 
     void make_current() const;
 
-    /// One of OpenGL's functions by its name, null if there is none: of those that not every 3.3 has.
+    /// An OpenGL function, found by its name, null if there is none: for functions that not every 3.3 has.
     using Function = void (*)();
     static Function function(const char* name);
 

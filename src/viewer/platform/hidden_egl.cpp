@@ -16,7 +16,7 @@ namespace {
         step, static_cast<unsigned>(eglGetError())));
 }
 
-/// Of all displays the one that is none, else the system's. Nobody may terminate it: the process has only one of each.
+/// Returns the surfaceless display, else the system's. Never terminate it: the process has only one of each.
 EGLDisplay open_display() {
     for (const EGLDisplay display : {eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
                                      eglGetDisplay(EGL_DEFAULT_DISPLAY)})

@@ -7,7 +7,7 @@
 namespace glassbox {
 
 HiddenContext::HiddenContext() {
-    glfwInit();  // may fail, or have been called before: then the window tells. Never terminated: others may use it
+    glfwInit();  // may fail, or have been called before: the window reports it. Never terminated: others may use it
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

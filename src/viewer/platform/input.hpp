@@ -3,7 +3,7 @@
 
 namespace glassbox {
 
-/// A key that the interface listens to; `character` is any that types one.
+/// A key that the interface uses; `character` is any key that types one.
 enum class Key {
     character,
     left,
@@ -36,7 +36,7 @@ struct Pointer {
     float wheel = 0;  ///< notches turned since the last frame, away from you positive
 };
 
-/// What happened since the last frame, besides what Dear ImGui hears of by itself.
+/// What happened since the last frame, besides what Dear ImGui receives by itself.
 struct Input {
     std::vector<KeyPress> keys;
     double time = 0;  ///< seconds since the start

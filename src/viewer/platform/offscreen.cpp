@@ -20,7 +20,7 @@
 namespace glassbox {
 namespace {
 
-/// What OpenGL had to say against us.
+/// The messages of OpenGL's debug output.
 struct Complaints {
     int count = 0;
     std::string last;
@@ -35,7 +35,7 @@ void APIENTRY on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const
 }
 #endif
 
-/// Whether OpenGL will tell `complaints` from now on; else only glGetError knows of errors.
+/// Whether OpenGL will report to `complaints` from now on; if not, only glGetError reports errors.
 bool listen([[maybe_unused]] Complaints& complaints) {
 #ifdef GLASSBOX_DEBUG_OUTPUT
     const auto set_callback =
@@ -47,7 +47,7 @@ bool listen([[maybe_unused]] Complaints& complaints) {
     if (!set_callback || !choose || !(flags & GL_CONTEXT_FLAG_DEBUG_BIT)) return false;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    choose(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);  // those of low severity are off at first
+    choose(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);  // those of low severity are off by default
     set_callback(on_message, &complaints);
     return true;
 #else
@@ -134,7 +134,7 @@ double Offscreen::frame(const DrawFrame& draw, const Pointer& pointer, std::span
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, p.framebuffer);
     draw_gui(p.size.width, p.size.height);
-    glFinish();  // as a window's buffers are swapped: else frames that nobody sees yet pile up, and take no time
+    glFinish();  // as swapping a window's buffers does: otherwise unseen frames pile up, and take no time
     p.count_errors();
     return stands;
 }

@@ -9,8 +9,8 @@
 
 namespace glassbox {
 
-/// The same as Window without a display: an OpenGL context of its own (EGL, surfaceless; elsewhere a hidden window), a
-/// Dear ImGui context, and a frame whenever one is asked for. Throws Error where there is no OpenGL 3.3.
+/// Like Window, but without a display: an OpenGL context of its own (EGL, surfaceless; elsewhere a hidden window), a
+/// Dear ImGui context, and a frame on request. Throws Error if there is no OpenGL 3.3.
 class Offscreen {
 public:
     explicit Offscreen(WindowSize size);
@@ -22,14 +22,15 @@ public:
     void resize(WindowSize size);
 
     /// Draws a frame, `seconds` after the one before, with the mouse here and these keys just pressed. Returns what
-    /// `draw` said.
+    /// `draw` returned.
     double frame(const DrawFrame& draw, const Pointer& pointer = {}, std::span<const KeyPress> keys = {},
                  double seconds = 1.0 / 60);
 
-    /// What the last frame looked like.
+    /// Returns the last frame as an image.
     Image screenshot() const;
 
-    /// Messages of OpenGL's debug output since the start, of severity low and above: none where all is well.
+    /// Returns how many messages OpenGL's debug output had since the start, of severity low and above: 0 if all is
+    /// well.
     int complaints() const;
     const std::string& last_complaint() const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// OpenGL 3.3's functions. All systems that we build for export them from their OpenGL library: no loader is needed.
+// All systems that we build for export OpenGL 3.3's functions from their OpenGL library: no loader is needed.
 #if defined(__APPLE__)
 #include <OpenGL/gl3.h>
 #else

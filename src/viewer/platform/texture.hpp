@@ -11,8 +11,8 @@ struct Rgba {
     std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
 };
 
-/// A picture in the graphics memory, drawn with hard pixel edges, and smoothed where it is made smaller. It must be
-/// made, filled and destroyed while the OpenGL context is current. Moves, does not copy.
+/// A picture in graphics memory, drawn with hard pixel edges, and smoothed where it is reduced. It must be made, filled
+/// and destroyed while the OpenGL context is current. Movable, not copyable.
 class Texture {
 public:
     Texture() = default;
@@ -20,14 +20,14 @@ public:
     Texture& operator=(Texture&& other) noexcept;
     ~Texture();
 
-    /// Takes the pixels, row by row from the top: width × height of them.
+    /// Sets the pixels, row by row from the top: width × height of them.
     void fill(int width, int height, std::span<const Rgba> pixels);
 
     bool empty() const { return width_ == 0; }
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// What ImGui::Image and ImDrawList::AddImage take.
+    /// Returns the id that ImGui::Image and ImDrawList::AddImage take.
     ImTextureID id() const;
 
 private:

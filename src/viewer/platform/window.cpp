@@ -21,7 +21,7 @@ namespace {
 
 constexpr double shortest_frame = 1.0 / 60;  // seconds
 constexpr double longest_wait = 3600;
-constexpr int frames_to_settle = 3;  // after an event: Dear ImGui lays out by what it measured in the frame before
+constexpr int frames_to_settle = 3;  // after an event: Dear ImGui lays out with sizes measured in the previous frame
 
 std::string last_error() {
     const char* text = nullptr;
@@ -29,7 +29,7 @@ std::string last_error() {
     return text == nullptr ? "no reason was given" : text;
 }
 
-/// Between its making and its end GLFW can be used.
+/// GLFW can be used during its lifetime.
 struct Library {
     Library() {
         if (glfwInit() == GLFW_TRUE) return;
@@ -52,7 +52,7 @@ Handle make_window(const std::string& title, WindowSize size) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no other
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS has no other
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "glassbox");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "glassbox");
@@ -64,7 +64,7 @@ Handle make_window(const std::string& title, WindowSize size) {
                     last_error()));
 }
 
-/// Dear ImGui's link to GLFW. Our callbacks must be there before: it calls them from its own.
+/// Dear ImGui's link to GLFW. Install our callbacks first: it calls them from its own.
 struct GuiInput {
     explicit GuiInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
     ~GuiInput() { ImGui_ImplGlfw_Shutdown(); }
@@ -72,7 +72,7 @@ struct GuiInput {
     GuiInput& operator=(const GuiInput&) = delete;
 };
 
-/// Those of our keys that type nothing, and the space bar.
+/// Returns our name of a key that types nothing, or of the space bar.
 std::optional<Key> named_key(int key) {
     switch (key) {
         case GLFW_KEY_LEFT:
@@ -105,8 +105,8 @@ std::optional<Key> named_key(int key) {
 
 char32_t in_lower_case(char32_t c) { return c >= U'A' && c <= U'Z' ? c + (U'a' - U'A') : c; }
 
-/// What a key types in the user's layout; in one without Latin letters what it types in the American, so that Ctrl+Z is
-/// there, too. 0 for a key that types nothing.
+/// Returns what a key types in the user's layout; in one without Latin letters, what it types in the American layout,
+/// so that Ctrl+Z works there, too. 0 for a key that types nothing.
 char32_t typed_by(int key, int scancode) {
     const char* name = glfwGetKeyName(key, scancode);
     const bool latin = name != nullptr && static_cast<unsigned char>(name[0]) < 0x80 && name[1] == '\0';
@@ -157,7 +157,7 @@ struct Window::Platform {
 
     bool shift() const { return (modifiers & GLFW_MOD_SHIFT) != 0; }
 
-    /// Ctrl, or Command; not Ctrl with Alt, which is how Windows tells of AltGr.
+    /// Ctrl, or Command; not Ctrl with Alt, which is how Windows reports AltGr.
     bool control() const {
         return (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0 && (modifiers & GLFW_MOD_ALT) == 0;
     }
@@ -179,12 +179,12 @@ struct Window::Platform {
     bool closing() const { return glfwWindowShouldClose(window.get()) == GLFW_TRUE; }
     bool minimised() const { return glfwGetWindowAttrib(window.get(), GLFW_ICONIFIED) == GLFW_TRUE; }
 
-    /// Takes events: those that came already, or, until the time `until`, the next that comes.
+    /// Processes events: those pending, or, until the time `until`, the next one.
     void take_events(double until) {
         const double wait = std::min(until - glfwGetTime(), longest_wait);
         if (wait <= 0) return glfwPollEvents();
         glfwWaitEventsTimeout(wait);
-        if (glfwGetTime() < until) stirred = true;  // by wake(), perhaps, of which no callback tells
+        if (glfwGetTime() < until) stirred = true;  // perhaps by wake(), which calls no callback
     }
 
     double draw_frame(const DrawFrame& draw) {
@@ -206,7 +206,7 @@ Window::Window(const std::string& title, WindowSize size) : platform_(std::make_
 Window::~Window() = default;
 
 float Window::scale() const {
-    // Where a window's coordinates are not pixels (macOS, Wayland), the system enlarges them by itself.
+    // Where a window's coordinates are not pixels (macOS, Wayland), the system scales them itself.
     float content = 1;
     glfwGetWindowContentScale(platform_->window.get(), &content, nullptr);
     int width = 0, pixels = 0;
@@ -226,7 +226,7 @@ void Window::run(const DrawFrame& draw, const std::function<void()>& prepare) {
     double drawn_at = glfwGetTime() - shortest_frame, stands_until = 0;
     int unsettled = frames_to_settle;
     while (!p.closing()) {
-        // Not by the swap interval alone: a display without vertical synchronisation takes any number of frames.
+        // Do not rely on the swap interval: a display without vertical synchronisation takes any number of frames.
         const double early = drawn_at + shortest_frame - glfwGetTime();
         if (early > 0) std::this_thread::sleep_for(std::chrono::duration<double>(early));
 

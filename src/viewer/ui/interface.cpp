@@ -15,13 +15,13 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
-/// Moves what moves by itself: the steps that are played, the picture that is watched.
+/// Advances what moves by itself: the steps that are played, the picture that is watched.
 void advance(ViewerState& state, const Results& results, double seconds) {
     go_on_watching(state, seconds);
     go_on_playing(state, results, seconds);
 }
 
-/// A bar between two parts that can be dragged; returns how far it was dragged, in pixels.
+/// A bar between two parts that can be dragged; returns by how many pixels it was dragged.
 float divider(const char* name, ImVec2 size, bool upright) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
     ImGui::Button(name, size);
@@ -50,7 +50,7 @@ void draw_pages(const Frame& frame) {
     const Page wanted = frame.state.page;
     const bool is_shown = frame.state.page_shown == wanted;
     for (const PageTab& tab : pages) {
-        // A page chosen by a key or a script is brought to the front; a click on a tab chooses it.
+        // Bring a page chosen by a key or a script to the front; a click on a tab does so itself.
         const bool bring = wanted == tab.page && !is_shown;
         if (!ImGui::BeginTabItem(tab.title, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0)) continue;
         if (is_shown || bring) frame.state.page = frame.state.page_shown = tab.page;
@@ -89,7 +89,7 @@ double Interface::draw(const Input& input) {
         boxes_.update(state_, results_);
     }
     lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, seconds});
-    // Once more, so that what this frame's clicks ask for is begun at once.
+    // Update again, so that what this frame's clicks request starts at once.
     background_.update(state_, results_);
     const bool moving = state_.playing || state_.watching.running;
     return moving || results_.busy ? 1.0 / 30 : forever;

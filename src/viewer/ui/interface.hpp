@@ -11,23 +11,23 @@
 
 namespace glassbox {
 
-/// The whole interface: a state, what is computed for it, and how both are drawn. Needs a Dear ImGui context and a
-/// current OpenGL context from its first frame to its end.
+/// The whole interface: a state, its results, and the drawing of both. Needs a Dear ImGui context and a current OpenGL
+/// context from its first frame to its end.
 class Interface {
 public:
-    /// `scale` is the display's; `wake` is called from other threads when there is something new to draw.
+    /// `scale` is the display's; calls `wake` from other threads when there is something new to draw.
     Interface(ViewerState state, float scale, const std::function<void()>& wake);
 
-    /// Draws a frame into the current Dear ImGui context. Returns how many seconds it may stand if nothing happens.
+    /// Draws a frame into the current Dear ImGui context. Returns how many seconds it may stay if nothing happens.
     double draw(const Input& input);
 
     ViewerState& state() { return state_; }
     const Results& results() const { return results_; }
 
-    /// Whether all that the state shows has been computed and drawn.
+    /// Whether everything that the state shows has been computed and drawn.
     bool settled() const { return !results_.busy; }
 
-    /// To be called outside of a frame, before each: loads fonts again when their size has changed.
+    /// Call it before each frame, outside of it: reloads fonts if their size has changed.
     void prepare();
 
 private:

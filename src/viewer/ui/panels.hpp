@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-/// What every part of the interface is drawn from. Only the state changes by what the user does.
+/// What every part of the interface draws from. The user's actions change only the state.
 struct Frame {
     ViewerState& state;
     const Results& results;
@@ -23,7 +23,7 @@ struct Frame {
     double seconds;  ///< since the last frame
 };
 
-// The parts of the interface. Each fills the Dear ImGui window or child that is open, and nothing else.
+// The parts of the interface. Each fills the open Dear ImGui window or child, and nothing else.
 
 void draw_toolbar(const Frame& frame);
 void draw_picture(const Frame& frame);     ///< the picture with all that lies on it
@@ -34,7 +34,7 @@ void draw_overlay(const Frame& frame);     ///< which measurement, its legend an
 void draw_controls(const Frame& frame);    ///< all of the setup
 void draw_status(const Frame& frame);      ///< one line
 void draw_scene_menu(const Frame& frame);  ///< what can be opened, if it is shown
-/// Why the file cannot be read, over the area of the last good picture.
+/// Shows why the file cannot be read, over the area of the last good picture.
 void draw_file_error(const Frame& frame, ImVec2 corner, ImVec2 size);
 void draw_keys(const Frame& frame);  ///< the list of keys, if it is shown
 

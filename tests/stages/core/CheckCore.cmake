@@ -1,4 +1,4 @@
-# Compiles everything.cpp without exceptions and run-time types, and looks at what it takes along:
+# Compiles everything.cpp without exceptions and run-time types, and checks what it depends on:
 # cmake -D CXX=… -D NM=… -D "INCLUDES=dir;…" -D SOURCE=… -D OBJECT=… -P CheckCore.cmake
 list(TRANSFORM INCLUDES PREPEND -I)
 set(compile ${CXX} -std=c++20 -O2 -ffp-contract=off -fno-exceptions -fno-rtti ${INCLUDES})
@@ -7,8 +7,8 @@ if(NOT status EQUAL 0)
   message(FATAL_ERROR "expected the core to compile with -fno-exceptions -fno-rtti:\n${complaint}")
 endif()
 
-# The headers that it pulls in, directly or not, name no stream, no string, no container that allocates. (<optional>
-# pulls in <new> for its placement form; what is really called shows below.)
+# The headers that it includes, directly or not, contain no stream, no string, no container that allocates. (<optional>
+# includes <new> for its placement form; what is really called is checked below.)
 execute_process(COMMAND ${compile} -M ${SOURCE} OUTPUT_VARIABLE headers COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^ \\\n]*/(iostream|istream|ostream|iosfwd|sstream|fstream|iomanip|string|vector|deque|list|map|set|unordered_map|memory|functional)[ \\\n]"
        unwanted "${headers} ")
@@ -16,7 +16,7 @@ if(unwanted)
   message(SEND_ERROR "the core should include neither streams nor anything that allocates, but pulls in ${unwanted}")
 endif()
 
-# Outside of itself, it calls arithmetic only.
+# Outside itself, it calls arithmetic only.
 if(NM)
   execute_process(COMMAND ${NM} -u ${OBJECT} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "[A-Za-z_][A-Za-z_0-9]+" symbols "${symbols}")

@@ -1,9 +1,9 @@
 # Compiles SOURCE with two sets of headers and compares the machine code, instruction by instruction:
 # cmake -D CXX=… -D EXACT=… -D OBJDUMP=… -D SOURCE=… -D "ONE=dir;…" -D "OTHER=dir;…" -D FOLDER=… -P CompareCode.cmake
 #
-# g++ has to make the same code to the letter (EXACT). clang++ does so for every function but shade(): there a value that
-# only the probe is told, n·r, is dropped after the registers have been planned, and the same sums come out packed in
-# another way. So of other compilers we ask the same arithmetic and calls, as many of each, and a length within 1 %.
+# g++ must generate identical code (EXACT). clang++ does so for every function but shade(): there a value that only the
+# probe receives, n·r, is dropped after the registers have been planned, and the same sums are packed in another way. So
+# other compilers must only have the same arithmetic and calls, as many of each, and a length within 1 %.
 file(MAKE_DIRECTORY ${FOLDER})
 foreach(core ONE OTHER)
   list(TRANSFORM ${core} PREPEND -I)

@@ -1,4 +1,4 @@
-// The program's operator new, which counts. In a file of its own, as compilers know the standard's one too well.
+// The program's operator new, which counts. In a file of its own, because compilers know the standard one too well.
 #include <cstdlib>
 #include <new>
 

@@ -1,5 +1,5 @@
-// Everything that the core has, for the three built-in scalars. Compiled without exceptions and run-time types; and its
-// headers and symbols are looked at (CheckCore.cmake).
+// Everything in the core, for the three built-in scalars. Compiled without exceptions and run-time types;
+// CheckCore.cmake checks its headers and symbols.
 #include <bounded.hpp>
 #include <crossing.hpp>
 #include <floating_point.hpp>

@@ -1,5 +1,5 @@
-// A renderer's inner loop, with the probe that listens to nothing. CompareCode.cmake compiles it twice, with the core
-// as it is and with a core that has no probes, and compares the machine code.
+// A renderer's inner loop with the probe that does nothing. CompareCode.cmake compiles it twice, with the core as it is
+// and with a core that has no probes, and compares the machine code.
 #include <levental_2014.hpp>
 #include <probe.hpp>
 #include <shading.hpp>

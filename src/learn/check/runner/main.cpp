@@ -1,8 +1,8 @@
-// The main() of a learner's tests. It is compiled on the learner's machine, once, and linked with each test of a
-// lesson. It tells how each test case went, a line of JSON after the other, in a file; each line is written out at
-// once, so that a test that crashes is known by its name. See learn/check/test_report.hpp.
+// The main() of a learner's tests. It is compiled once, on the learner's machine, and linked with each test of a
+// lesson. It reports how each test case went, one line of JSON each, in a file; each line is flushed at once, so that
+// the name of a test that crashes is known. See learn/check/test_report.hpp.
 #define DOCTEST_CONFIG_IMPLEMENT
-#define DOCTEST_CONFIG_NO_POSIX_SIGNALS  // the last words tell of those
+#define DOCTEST_CONFIG_NO_POSIX_SIGNALS  // last_words.hpp reports signals
 #include <doctest.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -43,7 +43,7 @@ std::string in_json(const std::vector<std::string>& texts) {
     return "[" + list + "]";
 }
 
-/// A line of the report: what it is, and its members as JSON.
+/// Writes a line of the report: what it is, and its members as JSON.
 void tell(std::string_view what, const std::string& members = "") {
     const std::string line = "{\"nonce\":" + in_json(nonce) + ",\"is\":" + in_json(what) + members + "}\n";
     for (std::string_view rest = line; !rest.empty();) {
@@ -58,7 +58,7 @@ void tell(std::string_view what, const std::string& members = "") {
 
 std::string member(std::string_view name, const std::string& json) { return "," + in_json(name) + ":" + json; }
 
-/// With all its digits.
+/// Returns a number with all its digits.
 std::string digits(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%.17g", number);
@@ -72,7 +72,7 @@ std::string in_json(const std::array<double, size>& numbers, std::size_t count) 
     return "[" + list + "]";
 }
 
-/// The ray that was traced last, if it can be written down.
+/// Returns the ray that was traced last, if it can be written down.
 std::string traced_ray() {
     const glassbox::test::TracedRay& last = glassbox::test::last_traced_ray();
     const auto finite = [](double number) { return std::isfinite(number); };
@@ -83,7 +83,7 @@ std::string traced_ray() {
            member("surface", in_json(last.surface, static_cast<std::size_t>(last.numbers)));
 }
 
-/// Tells of each test case, and of the first thing that goes wrong in it.
+/// Reports each test case, and the first thing that goes wrong in it.
 class Reporter : public doctest::IReporter {
 public:
     explicit Reporter(const doctest::ContextOptions&) {}
@@ -182,7 +182,7 @@ void failed(const Difference& one) {
 
 }  // namespace glassbox::test
 
-/// main REPORT NONCE: runs all tests. Each line of the report carries the nonce: others that write there are found out.
+/// main REPORT NONCE: runs all tests. Each line of the report carries the nonce, which detects lines that others write.
 int main(int argc, char** argv) {
     glassbox::learn::listen_for_the_end();
     if (argc != 3) return 2;

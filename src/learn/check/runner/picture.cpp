@@ -1,5 +1,5 @@
-// The main() of a lesson's program when `glassbox learn picture` runs it: the lesson's own main() has been renamed, and
-// how it ends is told.
+// The main() of a lesson's program when `glassbox learn picture` runs it: the lesson's own main() is renamed, and this
+// one reports how it ends.
 #include "learn/subprocess/last_words.hpp"
 
 int lesson_main(int argc, char** argv);

@@ -1,6 +1,6 @@
 #pragma once
 // What every test of a lesson includes, compiled once for all of a learner's tests: see learn/build/toolchain.hpp. It
-// lies here, and not among the tests, because it is nobody's test.
+// is here and not in tests/ because it belongs to no single test.
 #define DOCTEST_CONFIG_SUPER_FAST_ASSERTS
 #include <doctest.h>
 

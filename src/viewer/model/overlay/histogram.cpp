@@ -35,7 +35,7 @@ Histogram histogram(const Channel& channel, const Summary& summary, const Colori
     const auto [low, high] = std::pair(coloring.low, coloring.high);
     Histogram result;
     if (!summary.any_finite()) return result;
-    // Beyond 2^53 there is not every whole number.
+    // Beyond 2^53 a double cannot hold every whole number.
     result.whole = summary.whole && low == std::floor(low) && high == std::floor(high) &&
                    std::max(std::abs(low), std::abs(high)) < 0x1p53;
     result.bins = result.whole ? whole_bins(low, high, most_bins) : even_bins(low, high, most_bins);
@@ -49,7 +49,7 @@ Distribution distribution(const Measurement& what, const Channel& channel, const
     constexpr int most_bins = 64;
     const Summary summary = summarized(channel);
     Coloring coloring = coloring_of(what, summary, what.scale == Scale::direction ? SetRange{} : set);
-    if (what.scale == Scale::direction) coloring.blocks = false;  // its colours pass from one into the next
+    if (what.scale == Scale::direction) coloring.blocks = false;  // its colours blend into each other
     return {summary, coloring, outside(channel, coloring), histogram(channel, summary, coloring, most_bins)};
 }
 

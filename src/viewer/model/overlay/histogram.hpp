@@ -7,27 +7,27 @@
 
 namespace glassbox {
 
-/// How many values lie from `from` on and before the next bin's; the last one's `to` belongs to it, too.
+/// How many values lie from `from` up to the next bin's `from`, which is excluded; the last bin includes its `to`.
 struct Bin {
     double from, to;
     std::int64_t count = 0;
 };
 
-/// The values of a channel in bins from the low end of its colours to the high one.
+/// The values of a channel in bins, from the low end of its colours to the high end.
 struct Histogram {
     std::vector<Bin> bins;  ///< of the same width; none where no value is finite
     bool whole = false;     ///< of whole numbers: a bin holds those from `from` to `to`, both included
     std::int64_t most = 0;  ///< in one bin
 
-    /// The bin of a value; none for what is not finite or lies outside.
+    /// Returns the bin of a value; none if it is not finite or lies outside.
     std::optional<std::size_t> bin_of(double value) const;
 };
 
-/// At most that many bins; whole numbers are never split unevenly over them. Values outside the colours' low and high
-/// are in none.
+/// Makes at most that many bins; whole numbers are never split unevenly over them. Values below the colours' low end or
+/// above the high end are in none.
 Histogram histogram(const Channel& channel, const Summary& summary, const Coloring& coloring, int most_bins);
 
-/// All that a legend tells of one channel.
+/// Everything that a legend shows of one channel.
 struct Distribution {
     Summary summary;
     Coloring coloring;
@@ -35,7 +35,7 @@ struct Distribution {
     Histogram histogram;
 };
 
-/// What the colours of a measured channel stand for; `set` is a range that somebody set.
+/// Returns what the colours of a measured channel stand for; `set` is a range that the user has set.
 Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set);
 
 }  // namespace glassbox

@@ -43,7 +43,7 @@ void for_each_box(const engine::Engine& engine, int last, const Use& use) {
     }
 }
 
-/// Hears which boxes a search looks into: those that the ray meets, all of them or as far as its first hit.
+/// A probe that records which boxes a search looks into: those that the ray meets, all of them or up to its first hit.
 struct OpenedBoxes {
     static constexpr bool only_verdicts = true, hears_boxes = true;
 
@@ -66,8 +66,8 @@ bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t code) {
     return std::binary_search(codes.begin(), codes.end(), code);
 }
 
-/// Whether a ray meets the box around all surfaces, by the test that a walk makes of a node's children: the walk begins
-/// with those of the root, and has no need to test the root's own.
+/// Whether a ray meets the box around all surfaces, by the test that a walk applies to a node's children: a walk starts
+/// with the root's children and need not test the root's own box.
 bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
     engine::Hierarchy above;  // one node, whose only child is that box
     Node& node = above.nodes.emplace_back();
@@ -90,7 +90,7 @@ bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
     return met;
 }
 
-/// Rounding keeps order: what lies in a box, and what is a double itself, lies in it after this, too.
+/// Rounding is monotonic: what lies in a box, and is a double itself, still lies in it afterwards.
 Vec3<double> in_world(const engine::Engine& engine, const float (&corner)[3]) {
     return engine.middle() + Vec3<double>{corner[0], corner[1], corner[2]};
 }
@@ -216,7 +216,7 @@ BoxesOnLevel boxes_on_level(const BoxLevels& levels, int level, const RayInBoxes
 }
 
 std::pair<Vec3<double>, Vec3<double>> edge(const BoxInSpace& box, int n) {
-    // A corner is three bits, one an axis: which of both ends. An edge's two corners differ in one of them.
+    // A corner is three bits, one per axis, which say which end it is at. An edge's two corners differ in one bit.
     const int axis = n / 4, one = n & 1, other = n >> 1 & 1;
     const int from = one << (axis + 1) % 3 | other << (axis + 2) % 3;
     const auto corner = [&](int bits) {

@@ -15,11 +15,11 @@
 
 namespace glassbox {
 
-// The engine's hierarchy of boxes, level by level: what there is, what the pinned pixel's ray does in it, and which
-// boxes are drawn.
+// The engine's hierarchy of boxes, level by level: which boxes there are, what the pinned pixel's ray does in them, and
+// which boxes are drawn.
 
-/// A hierarchy, its boxes counted. On level 0 there is one, around all surfaces; on level k are those k steps below it,
-/// and the leaves that were reached sooner: together they hold every surface, on each level.
+/// A hierarchy and the number of its boxes. Level 0 has one box, around all surfaces; level k has the boxes k steps
+/// below it and the leaves reached sooner, so that each level holds every surface.
 struct BoxLevels {
     std::shared_ptr<const engine::Engine> engine;
     std::vector<std::size_t> on_level;  ///< how many; empty where there are no surfaces
@@ -29,10 +29,10 @@ struct BoxLevels {
 };
 BoxLevels box_levels(std::shared_ptr<const engine::Engine> engine);
 
-/// What a ray does in a hierarchy: heard from the search itself. Boxes are codes of engine::Child, sorted; 0 is the
+/// What a ray does in a hierarchy, as the search itself reports it. Boxes are codes of engine::Child, sorted; 0 is the
 /// root's.
 struct RayInBoxes {
-    bool walks = false;                  ///< otherwise its numbers are not fit for boxes, and it is tested against all
+    bool walks = false;                  ///< otherwise its numbers do not suit boxes: it is tested against all
     std::vector<std::uint32_t> met;      ///< boxes that it meets, as far as it goes
     std::vector<std::uint32_t> opened;   ///< those that the search looks into: the root, and of the others that are met
                                          ///< none that begins behind the first hit
@@ -41,7 +41,7 @@ struct RayInBoxes {
 };
 RayInBoxes ray_in_boxes(const std::shared_ptr<const engine::Engine>& engine, const Ray<double>& ray);
 
-/// What the pinned ray has to do with a box.
+/// How the pinned ray passes a box.
 enum class Passage { missed, met, opened };
 
 /// A box in the world's coordinates.
@@ -59,24 +59,24 @@ struct BoxesOnLevel {
     std::size_t all = 0, met = 0, opened = 0;
 };
 
-/// All boxes of a level, 0 ≤ level ≤ deepest; of more than `most` an even sample, and all that the ray meets. `ray` may
-/// be null.
+/// Returns all boxes of a level, 0 ≤ level ≤ deepest; of more than `most` an even sample, and all that the ray meets.
+/// `ray` may be null.
 BoxesOnLevel boxes_on_level(const BoxLevels& levels, int level, const RayInBoxes* ray, std::size_t most = 1000);
 
-/// One of a box's twelve edges, 0 ≤ n < 12: four along each axis.
+/// Returns one of a box's twelve edges, 0 ≤ n < 12: four along each axis.
 std::pair<Vec3<double>, Vec3<double>> edge(const BoxInSpace& box, int n);
 
-/// What is said of them, for each way of drawing them, and of all levels; empty where there is nothing to say.
+/// What is said of the boxes, for each way of drawing them, and of all levels; empty where there is nothing to say.
 struct BoxesInWords {
     std::string boxes, met, opened, whole;
 };
 
-/// Keeps what is drawn between frames, for as long as it holds.
+/// Keeps what is drawn between frames, as long as it is valid.
 class Boxes {
 public:
     void update(const ViewerState& state, const Results& results);
 
-    /// Null if none are shown, or not yet.
+    /// Null if none are shown, or none yet.
     const BoxesOnLevel* shown() const { return shown_ ? &*shown_ : nullptr; }
     const BoxesInWords& words() const { return words_; }
 
@@ -90,14 +90,14 @@ private:
     BoxesInWords words_;
 };
 
-/// The level that is drawn: the one that was chosen, or the deepest if there are fewer. None while boxes are off, or
-/// where there are none.
+/// Returns the level that is drawn: the chosen one, or the deepest if there are fewer. None while boxes are off, or if
+/// there are none.
 std::optional<int> shown_level(const ViewerState& state, const Results& results);
 
-/// A level deeper, if there is one; level 0 if none was shown.
+/// Goes a level deeper, if there is one; to level 0 if none was shown.
 void go_deeper(ViewerState& state, const Results& results);
 
-/// A level back; from level 0 none is shown.
+/// Goes a level back; from level 0 to none.
 void go_back(ViewerState& state, const Results& results);
 
 }  // namespace glassbox

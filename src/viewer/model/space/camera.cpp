@@ -10,7 +10,7 @@ namespace glassbox {
 namespace {
 
 constexpr double field_of_view = 30;  // degrees, of the screen's smaller side
-constexpr double near_part = 1e-3;    // what is nearer to the eye is not drawn: a part of the camera's distance
+constexpr double near_part = 1e-3;    // nearer points are not drawn: a part of the camera's distance
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
@@ -41,7 +41,7 @@ Upright upright(const View& view) {
         if (std::abs(dot(axis, plane_up)) > std::abs(dot(up, plane_up)) * (1 + 1e-9)) up = axis;
     if (dot(up, plane_up) < 0) up = -up;
     const Vec3<double> level = back - dot(back, up) * up;
-    // A picture that looks along its own up is possible with a parallel view.
+    // A parallel view may look along its own up.
     const Vec3<double> other = up == axes[2] ? axes[1] : axes[2];
     return {up, length(level) > 1e-6 ? unit(level) : other};
 }

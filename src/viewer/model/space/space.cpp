@@ -30,7 +30,7 @@ struct Box {
     }
 };
 
-/// A ball that holds the surface.
+/// Returns a ball that contains the surface.
 Ball around(const Sphere<double>& sphere) { return {sphere.c, sphere.r}; }
 Ball around(const Triangle<double>& triangle) {
     const auto& [A, B, C] = triangle;
@@ -58,8 +58,8 @@ void for_each_surface(const Surfaces<double>& surfaces, const Use& use) {
     for (const auto& triangle : surfaces.triangles) use(triangle);
 }
 
-/// How far from the standpoint a surface may be and still have the camera make room for it. What one picture shows may
-/// be millions of times farther away than the picture is wide: then nothing could be seen of either.
+/// Returns the largest distance from the standpoint at which the camera still makes room for a surface. A picture may
+/// show surfaces millions of times farther away than it is wide: then neither would be visible.
 double reach_of_sight(const Surfaces<double>& all, const PictureInSpace& picture) {
     const Vec3<double> from = standpoint(picture);
     std::vector<double> distances;
@@ -68,7 +68,7 @@ double reach_of_sight(const Surfaces<double>& all, const PictureInSpace& picture
         distances.push_back(std::max(0.0, length(ball.center - from) - ball.radius));
     });
     if (distances.empty()) return 0;
-    // A pinhole's picture has no size of its own: half of the surfaces say what is usual.
+    // A pinhole's picture has no size of its own: take the surfaces' median distance.
     if (starts_at_eye(picture.view)) {
         const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
         std::nth_element(distances.begin(), middle, distances.end());
@@ -78,7 +78,7 @@ double reach_of_sight(const Surfaces<double>& all, const PictureInSpace& picture
     return std::max(5 * length(edge[2] - edge[0]), 1.05 * *std::min_element(distances.begin(), distances.end()));
 }
 
-/// A ball about the picture and all within reach.
+/// Finds a ball around the picture and all surfaces within reach.
 void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const PictureInSpace& picture) {
     const Vec3<double> from = standpoint(picture);
     const double reach = reach_of_sight(all, picture);
@@ -114,7 +114,7 @@ void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const Pict
     if (!(result.sight.radius > 0)) result.sight.radius = 1;
 }
 
-/// Halves the longest side until none is longer than `longest`. Neighbours halve a common side alike, and fit.
+/// Halves the longest side until none is longer than `longest`. Neighbours halve a common side alike, so they fit.
 void split(std::vector<SurfacesInSpace::Part>& parts, SurfacesInSpace::Part part, double longest, int depth) {
     const auto& [A, B, C] = part.corners;
     const std::array<double, 3> sides{length(B - A), length(C - B), length(A - C)};
@@ -147,7 +147,7 @@ std::string triple(const Vec3<double>& v) {
     return fmt::format("({}, {}, {})", legend_number(v.x), legend_number(v.y), legend_number(v.z));
 }
 
-/// The drawing as it grows.
+/// The drawing under construction.
 struct Drawer {
     const SurfacesInSpace& surfaces;
     SpaceDrawing result;
@@ -165,8 +165,8 @@ struct Drawer {
     }
 };
 
-/// At which t of a pinhole's rays its picture is drawn. On the viewing plane itself, at 1, it may be too small to be
-/// seen, or lie within what it shows.
+/// Returns the t at which a pinhole's rays reach the drawn picture. On the viewing plane itself, at 1, it may be too
+/// small to be seen, or lie inside what it shows.
 double t_of_picture(const View& view, int height, const SurfacesInSpace& surfaces) {
     const auto* pinhole = std::get_if<FromEye>(&view);
     if (!pinhole) return 0;
@@ -202,7 +202,7 @@ std::vector<MetSurface> met_in_order(const Story& story) {
     std::vector<MetSurface> met;
     for (const story::Surface& surface : story.surfaces)
         if (is_met(surface.fate) && surface.t) met.push_back({&surface, surface.t->value});
-    // What the story calls nearest comes first, also among equals.
+    // The surface that the story calls nearest comes first, also among equals.
     std::stable_sort(met.begin(), met.end(), [](const MetSurface& a, const MetSurface& b) {
         const bool a_first = a.surface->fate == story::Fate::nearest, b_first = b.surface->fate == story::Fate::nearest;
         return a_first != b_first ? a_first : a.t < b.t;
@@ -297,7 +297,7 @@ void place_axes(SpaceDrawing& drawing) {
 }  // namespace
 
 Vec3<double> PictureInSpace::at(double x, double y) const {
-    // A pixel's ray belongs to its middle.
+    // A pixel's ray goes through its middle.
     return std::visit([&](const auto& v) { return glassbox::at(pixel_ray(v, x - 0.5, height - 0.5 - y), t); }, view);
 }
 

@@ -13,12 +13,12 @@
 
 namespace glassbox {
 
-// What the scene in space consists of, in the world's coordinates. The ui room projects and draws it.
+// What the space view shows, in the world's coordinates. The ui room projects and draws it.
 
-/// The colours with a meaning that something in space has.
+/// The meanings of colours in space.
 enum class Ink { plain, faint, pinned, second, light, half_vector, a, b, c };
 
-/// The surfaces that are drawn: all of them, or of very many a sample.
+/// The surfaces that are drawn: all, or a sample of very many.
 struct SurfacesInSpace {
     Surfaces<double> shown;
     std::vector<std::size_t> numbers;                ///< in the scene, of those shown: spheres, then triangles
@@ -55,14 +55,14 @@ struct ArrowInSpace {
     const char* name = "";
 };
 
-/// Words at a point; with a dot or without.
+/// Words at a point, with or without a dot.
 struct LabelInSpace {
     Vec3<double> at;
     std::string text;
     Ink ink = Ink::plain;
     bool dot = false;
     std::string hint;  ///< what is said of it under the mouse
-    double room = 0;   ///< the size of what it belongs to: the words are left out where that looks too small
+    double room = 0;   ///< the size of what it belongs to: no words where that looks too small
 };
 
 /// The picture in space: where its corners are, and how it is reached.
@@ -73,7 +73,7 @@ struct PictureInSpace {
 
     /// The point (x, y) of the picture, in pixels from its top left: pixel (i, j) covers [i, i + 1) × [j, j + 1).
     Vec3<double> at(double x, double y) const;
-    /// Which point of the picture a ray meets ahead of its start.
+    /// Returns the point of the picture that a ray meets ahead of its start, if any.
     std::optional<Point> met_by(const Ray<double>& ray) const;
 };
 
@@ -91,14 +91,15 @@ struct SpaceDrawing {
     std::vector<LabelInSpace> labels;
 };
 
-/// The surfaces of a stage: at most `most_spheres`; all triangles, or of more than `most_triangles` about `sample`.
+/// Returns the surfaces of a stage: at most `most_spheres`; all triangles, or of more than `most_triangles` about
+/// `sample`.
 SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres = 400,
                                   std::size_t most_triangles = 3000, std::size_t sample = 1000);
 
 SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const SurfacesInSpace& surfaces, const Story* pinned,
                            const Story* compared);
 
-/// Keeps both between frames, for as long as they hold.
+/// Keeps both between frames, as long as they are valid.
 class Space {
 public:
     void update(const ViewerState& state, const Results& results);

@@ -14,19 +14,19 @@ public:
 
     const Value& now() const { return versions_[at_]; }
 
-    /// A new version, unless it is the present one. What had been undone is forgotten.
+    /// Adds a new version, unless it equals the present one. Drops what was undone.
     void change(Value next) {
         end_drag();
         push(std::move(next));
     }
 
-    /// Changes the present version and keeps no trace of what it was.
+    /// Changes the present version without keeping the old one.
     void amend(Value next) {
         versions_.resize(at_ + 1);
         versions_[at_] = std::move(next);
     }
 
-    /// A step of a drag: all steps until end_drag() are one change.
+    /// Applies a step of a drag: all steps until end_drag() are one change.
     void drag(Value next) {
         if (dragging_) return amend(std::move(next));
         const std::size_t before = at_;
@@ -34,7 +34,7 @@ public:
         dragging_ = at_ != before;
     }
 
-    /// The drag is over; one that came back to where it began was no change.
+    /// Ends the drag; one that returned to its start is no change.
     void end_drag() {
         if (std::exchange(dragging_, false) && versions_[at_] == versions_[at_ - 1]) {
             versions_.pop_back();
@@ -42,10 +42,10 @@ public:
         }
     }
 
-    /// The version that the present drag began with; without one, the present version.
+    /// Returns the version before the present drag; without a drag, the present version.
     const Value& before_drag() const { return versions_[dragging_ ? at_ - 1 : at_]; }
 
-    /// Replaces every version by `follow(version)`; which is the present one, and undo and redo, stay.
+    /// Replaces every version by `follow(version)`; the present position, undo and redo stay.
     template <class Follow>
     void replace_all(const Follow& follow) {
         for (Value& version : versions_) version = follow(version);

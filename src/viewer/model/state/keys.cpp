@@ -15,7 +15,7 @@ constexpr KeyPress character(char32_t c) { return {Key::character, c, false, fal
 constexpr KeyPress control(char32_t c, bool shift = false) { return {Key::character, c, true, shift}; }
 constexpr KeyPress named(Key key) { return {key, 0, false, false}; }
 
-/// As in the paper's program, its directions put right: counter-clockwise as seen from the axis's tip.
+/// As in the paper's program, with its directions corrected: counter-clockwise as seen from the axis's tip.
 template <Axis axis, int degrees>
 void turn(State& state, const Results&, const KeyPress&) {
     state.setup.change(turned(state.setup.now(), axis, degrees));
@@ -126,13 +126,13 @@ constexpr KeyBinding bindings[] = {
      [](State& s, const Results&, const KeyPress&) { s.keys_shown = !s.keys_shown; }},
 };
 
-/// Shift counts only with Ctrl: elsewhere it may be needed to type the character, or means "more".
+/// Shift counts only together with Ctrl: elsewhere it may be needed to type the character, or means "more".
 bool is_meant(const KeyBinding& binding, const KeyPress& press) {
     return press.key == binding.press.key && press.character == binding.press.character &&
            press.control == binding.press.control && (!press.control || press.shift == binding.press.shift);
 }
 
-/// Ctrl with + wherever the keyboard has it: with Shift on =, as on American ones, and then without Shift, too.
+/// Makes Ctrl with + independent of the keyboard: on American ones + is Shift with =, and = alone counts, too.
 KeyPress without_layout(const KeyPress& press) {
     const bool plus =
         press.key == Key::character && press.control && (press.character == '=' || press.character == '+');

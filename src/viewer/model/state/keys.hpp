@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-/// A key and what it does: the list that `?` shows is the list that is obeyed.
+/// A key and what it does. The list that `?` shows is the list that is used.
 struct KeyBinding {
     KeyPress press;
     std::string_view label;  ///< as it is written on the key: "Ctrl+Z"

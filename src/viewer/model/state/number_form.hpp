@@ -4,8 +4,8 @@ namespace glassbox {
 
 /// How the inspector writes numbers.
 enum class NumberForm {
-    brief,  ///< six digits; beside its bound, as many as that deserves
-    full,   ///< as many as tell it from its neighbours, as in `glassbox explain --json`
+    brief,  ///< six digits; beside a bound, as many as the bound justifies
+    full,   ///< as many as distinguish it from its neighbours, as in `glassbox explain --json`
     hex,    ///< to the bit
 };
 

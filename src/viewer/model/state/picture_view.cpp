@@ -7,7 +7,7 @@ namespace glassbox {
 
 Pixel PictureView::pixel_at(Point screen) const {
     const Point p = on_picture(screen);
-    static constexpr double far_off = 1e9;  // an int's range, and never on a picture
+    static constexpr double far_off = 1e9;  // within an int's range, and never on a picture
     const auto whole = [](double v) { return static_cast<int>(std::floor(std::clamp(v, -far_off, far_off))); };
     return {whole(p.x), whole(p.y)};
 }
@@ -32,7 +32,7 @@ PictureView moved(const PictureView& view, Point by) {
 }
 
 PictureView kept_in_sight(const PictureView& view, Point area, int width, int height) {
-    constexpr double rest = 32;  // screen pixels that stay
+    constexpr double rest = 32;  // screen pixels that stay visible
     const auto kept = [&](double origin, double size, double room) {
         const double margin = std::min({rest, size, room});
         return std::clamp(origin, margin - size, room - margin);

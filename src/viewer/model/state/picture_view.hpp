@@ -22,16 +22,16 @@ struct PictureView {
 
     Point on_screen(Point picture) const { return {origin.x + picture.x * zoom, origin.y + picture.y * zoom}; }
     Point on_picture(Point screen) const { return {(screen.x - origin.x) / zoom, (screen.y - origin.y) / zoom}; }
-    /// Also of a point beside the picture.
+    /// Also for a point outside the picture.
     Pixel pixel_at(Point screen) const;
 };
 
 inline constexpr double least_zoom = 1.0 / 64, greatest_zoom = 512;
 
-/// The whole picture, as large as fits, in the middle.
+/// The whole picture, centred, as large as fits.
 PictureView fitted(Point area, int width, int height);
 
-/// One to one, or any zoom, about the middle of the area.
+/// One to one, or at any zoom, about the middle of the area.
 PictureView zoomed_to(const PictureView& view, double zoom, Point area);
 
 /// `factor` times as large; what is at `cursor` stays there.
@@ -39,10 +39,10 @@ PictureView zoomed_at(const PictureView& view, double factor, Point cursor);
 
 PictureView moved(const PictureView& view, Point by);
 
-/// Moved as little as needed, so that some of the picture stays in the area.
+/// Moved as little as needed to keep some of the picture in the area.
 PictureView kept_in_sight(const PictureView& view, Point area, int width, int height);
 
-/// Moved as little as needed, so that all of a pixel can be seen.
+/// Moved as little as needed to show all of a pixel.
 PictureView showing(const PictureView& view, Pixel pixel, Point area);
 
 }  // namespace glassbox

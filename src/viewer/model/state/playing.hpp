@@ -4,10 +4,10 @@
 
 namespace glassbox {
 
-/// Begins to play the pinned pixel's timeline, from the beginning if it is at its end; or pauses.
+/// Starts playing the pinned pixel's timeline, from the beginning if it is at its end; or pauses.
 void play_or_pause(ViewerState& state, const Results& results);
 
-/// Goes on for so many seconds; the last event stops it.
+/// Continues for so many seconds; stops at the last event.
 void go_on_playing(ViewerState& state, const Results& results, double seconds);
 
 }  // namespace glassbox

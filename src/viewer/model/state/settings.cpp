@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number of that name within its range, else the usual one.
+/// Returns a number of that name if it is within its range, else the default.
 template <class Number>
 Number number(const Json& json, const char* name, Number usual, Number least, Number most) {
     const auto found = json.find(name);
@@ -59,7 +59,7 @@ void write_settings(const std::filesystem::path& file, const Settings& settings)
         {"space_shown", settings.space_shown},     {"window_width", settings.window_width},
         {"window_height", settings.window_height},
     };
-    std::error_code failed;  // then writing fails too, and says why
+    std::error_code failed;  // then writing fails too, and reports why
     std::filesystem::create_directories(file.parent_path(), failed);
     const std::string text = json.dump(2) + '\n';
     write_whole(file, std::as_bytes(std::span(text)));

@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-/// What the viewer remembers from one time to the next.
+/// What the viewer remembers from one run to the next.
 struct Settings {
     Appearance appearance;
     float side_width = 0.4f, space_height = 0.35f;
@@ -15,11 +15,12 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-/// Where they are kept: $XDG_CONFIG_HOME/glassbox/viewer.json, or .config/glassbox/viewer.json at home; empty where
-/// there is neither.
+/// Returns where the settings are kept: $XDG_CONFIG_HOME/glassbox/viewer.json, or .config/glassbox/viewer.json in the
+/// home folder; empty if there is neither.
 std::filesystem::path settings_file();
 
-/// The settings in a file. What is missing, or makes no sense, is as usual: a spoilt file is no reason not to start.
+/// Reads the settings from a file. Missing or invalid values get their defaults: a damaged file must not keep the
+/// viewer from starting.
 Settings read_settings(const std::filesystem::path& file);
 
 /// Throws Error if it cannot be written.

@@ -33,7 +33,7 @@ void list_scenes(SceneMenu& menu) {
         if (entry.path().extension() != ".toml") continue;
         try {
             menu.scenes.push_back({entry.path(), read_scene(entry.path()).title});
-        } catch (const Error&) {  // whoever opens it is told why it cannot be read
+        } catch (const Error&) {  // opening the scene reports why it cannot be read
             menu.scenes.push_back({entry.path(), ""});
         }
     }

@@ -14,7 +14,7 @@
 
 namespace glassbox {
 
-/// What is laid over the picture, or beside it.
+/// What is laid over the picture, or shown beside it.
 struct Overlay {
     std::string measurement;  ///< its name; empty: none
     double opacity = 1;
@@ -23,13 +23,13 @@ struct Overlay {
     bool operator==(const Overlay&) const = default;
 };
 
-/// How the overlay's page looks.
+/// The options of the overlay page.
 struct OverlayPage {
     std::string filter;      ///< of the list of measurements
     bool log_counts = true;  ///< of the histogram: few pixels can be seen beside many
 };
 
-/// What stands on the right of the split.
+/// What is shown on the right of the split.
 enum class Beside {
     nothing,          ///< one picture, the overlay over all of it
     overlay,          ///< the overlay, on the right only
@@ -55,7 +55,7 @@ struct ListedScene {
     std::string title;  ///< empty: it has none, or cannot be read
 };
 
-/// What can be opened instead.
+/// The scenes that can be opened instead.
 struct SceneMenu {
     bool shown = false;
     std::filesystem::path folder;     ///< of the scenes that come with Glassbox; empty: not there
@@ -66,7 +66,7 @@ struct SceneMenu {
 /// The pages of the panel on the right.
 enum class Page { inspector, steps, overlay, controls };
 
-/// The space view's camera: looks at the scene's middle from this direction.
+/// The space view's camera: it looks at the scene's middle from this direction.
 struct Orbit {
     double azimuth = -60, elevation = 25;  ///< degrees
     double distance = 1;                   ///< 1: all of the scene is in sight
@@ -114,7 +114,7 @@ struct ViewerState {
     bool space_shown = true;
     float space_height = 0.35f;  ///< a part of the window's
     Orbit orbit;
-    std::optional<int> box_level;                ///< of the engine's hierarchy, whose boxes are drawn in space
+    std::optional<int> box_level;                ///< the level of the engine's hierarchy whose boxes are drawn in space
     NumberForm number_form = NumberForm::brief;  ///< of the inspector
     bool keys_shown = false;
     bool leaving = false;  ///< the window is to be closed
@@ -124,17 +124,17 @@ struct ViewerState {
     Appearance appearance;
 };
 
-/// A state with the scene of a file opened. Throws Error if it cannot be read.
+/// Returns a state with the scene of a file opened. Throws Error if it cannot be read.
 ViewerState opened(const std::filesystem::path& file);
 
 /// Lists the scenes of the menu's folder, with their titles.
 void list_scenes(SceneMenu& menu);
 
-/// Reads the file again: the new scene with the changes kept that the user made; on an error the last good one stays,
-/// and `file_error` says why.
+/// Reads the file again and keeps the changes that the user made; on an error the last good scene stays, and
+/// `file_error` says why.
 void reload(ViewerState& state);
 
-/// Opens another file, and forgets pins and changes. On an error all stays, and `file_error` says why.
+/// Opens another file, and drops pins and changes. On an error everything stays, and `file_error` says why.
 void open(ViewerState& state, const std::filesystem::path& file);
 
 }  // namespace glassbox

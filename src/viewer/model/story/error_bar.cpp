@@ -11,9 +11,9 @@ namespace glassbox {
 
 namespace {
 
-/// The longest distance of a place from 0, and what a magnified bar takes of it.
+/// The largest distance of a position from 0, and how much of it a magnified bar takes.
 constexpr double half_width = .45, magnified_half = .07;
-/// A bound of less than this part of the value would be too thin to be seen.
+/// A bound below this part of the value would be too thin to be seen.
 constexpr double least_visible = .02;
 
 /// The least n with bound < 10ⁿ |value|.

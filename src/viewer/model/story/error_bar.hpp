@@ -6,7 +6,7 @@
 
 namespace glassbox {
 
-/// How a number with its bound lies on a line that has 0 in its middle: all places from 0, the left end, to 1.
+/// Where a number and its bound lie on a line with 0 in its middle: positions run from 0, the left end, to 1.
 struct ErrorBar {
     enum class Kind {
         exact,      ///< no bound to show
@@ -25,7 +25,7 @@ inline constexpr double zero_on_error_bar = .5;
 
 ErrorBar error_bar(const story::Number& number);
 
-/// A power of ten as it is printed: "10⁻¹²".
+/// Returns a power of ten as it is printed: "10⁻¹²".
 std::string power_of_ten(int exponent);
 
 }  // namespace glassbox

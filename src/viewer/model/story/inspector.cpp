@@ -23,7 +23,7 @@ namespace {
 using namespace story;
 using Numbers = std::vector<InspectedNumber>;
 
-/// As explain's JSON writes it, but 500 and not 500.0.
+/// As in explain's JSON, but 500 instead of 500.0.
 std::string all_digits(double value) {
     if (std::isnan(value)) return "not a number";
     if (std::isinf(value)) return value > 0 ? "∞" : "−∞";

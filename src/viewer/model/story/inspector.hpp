@@ -10,7 +10,7 @@
 
 namespace glassbox {
 
-/// A number that the inspector shows, and where `glassbox explain --json` has it.
+/// A number that the inspector shows, and its place in the output of `glassbox explain --json`.
 struct InspectedNumber {
     std::string path;                      ///< JSON pointer: of the number, or of the object of a checked one
     double value = 0;                      ///< of a checked number: its value
@@ -18,7 +18,7 @@ struct InspectedNumber {
     bool is_count = false;                 ///< a whole number that nothing rounds: written as such in every form
 };
 
-/// A line: a name, numbers and words. A vector or a colour has three numbers.
+/// A row: a name, numbers and words. A vector or a colour has three numbers.
 struct InspectorRow {
     std::string label;  ///< no two rows of a part have the same
     std::vector<InspectedNumber> numbers;
@@ -39,7 +39,7 @@ enum class Diagram {
     bits,      ///< of the number that lost the most
 };
 
-/// A part of the inspector with a heading, which can be closed.
+/// A part of the inspector with a heading, which can be collapsed.
 struct InspectorPart {
     std::string title;                      ///< no two parts at one place have the same
     std::string note;                       ///< beside the title, in words
@@ -56,10 +56,11 @@ struct InspectorPart {
 /// All that the inspector shows, in the order of `glassbox explain`.
 std::vector<InspectorPart> inspector(const Story& story);
 
-/// The number's value as it is written alone.
+/// Returns the number's value as it is written alone.
 std::string written(const InspectedNumber& number, NumberForm form);
 
-/// The value and its bound as they are written side by side: "2500" and "± 3.1e-10". Without one the bound is empty.
+/// Returns the value and its bound as they are written side by side: "2500" and "± 3.1e-10". The bound is empty if
+/// there is none.
 WithBound written_with_bound(const InspectedNumber& number, NumberForm form);
 
 /// Everything that is known about a number, with all digits.
@@ -69,10 +70,10 @@ struct NumberFact {
 };
 std::vector<NumberFact> facts(const InspectedNumber& number);
 
-/// The angle of a dot product of unit vectors, in degrees; rounding may have carried it beyond ±1.
+/// Returns the angle that belongs to a dot product of unit vectors, in degrees; rounding may have carried it beyond ±1.
 double angle(double cosine);
 
-/// How many bits the scalar of a story's steps has.
+/// Returns how many bits the scalar of a story's steps has.
 int digits_of_steps(const Options& options);
 
 }  // namespace glassbox

@@ -8,7 +8,7 @@ namespace glassbox {
 
 namespace {
 
-/// Which function a named number is the result of, where its last operation is one of vectors and does not say so.
+/// The function that computes a named number whose last operation is one of vectors and does not say so.
 struct Formula {
     std::string_view name, file, function;
 };
@@ -36,7 +36,7 @@ constexpr Formula formulas[] = {
     {"colour", "/ray_color.hpp", "ray_color"},
 };
 
-/// "point" of "point.x".
+/// Strips the axis: "point.x" becomes "point".
 std::string_view without_axis(std::string_view name) {
     const bool has_axis = name.size() > 2 && name[name.size() - 2] == '.';
     return has_axis ? name.substr(0, name.size() - 2) : name;

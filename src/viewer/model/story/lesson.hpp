@@ -4,11 +4,11 @@
 
 namespace glassbox {
 
-/// What the core says about the formula that an event is a part of: a dot product on the way to the side product a
-/// gives what is said of `side`. Without text where nothing is said.
+/// Returns what the core says about the formula that an event is part of: for a dot product within the side product a,
+/// what it says about `side`. The text is empty where it says nothing.
 Described lesson_of(const Story& story, const Event& event);
 
-/// Where an event is in the core's sources: `line` is from 1, and 0 for what is not on a line.
+/// Where an event is in the core's sources: `line` counts from 1, and is 0 for an event that is not on a line.
 struct SourceLine {
     const SourceFile* file = nullptr;
     std::size_t line = 0;

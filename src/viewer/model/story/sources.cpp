@@ -23,7 +23,7 @@ bool describes(std::string_view line) {
 
 bool is_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
 
-/// What a declaration declares: "struct Stable {" is Stable, "constexpr Real side(const …" is side.
+/// Returns the name that a declaration declares: Stable for "struct Stable {", side for "constexpr Real side(const …".
 std::string declared_name(std::string_view line) {
     for (const std::string_view word : {"struct ", "enum class "})
         if (const std::size_t at = line.find(word); at != std::string_view::npos) {

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-/// A header of the core, as it was when the program was built: an installed program has no sources beside it.
+/// A header of the core as it was when the program was built, because an installed program has no sources beside it.
 struct SourceFile {
     std::string_view path;  ///< from the folder `src` on: "core/1-rays/vec3.hpp"
     std::string_view text;
@@ -15,10 +15,10 @@ struct SourceFile {
 
 std::span<const SourceFile> core_sources();
 
-/// The one with this path; null if it is none of the core's.
+/// Returns the header with this path; null if the core has none.
 const SourceFile* find_source(std::string_view path);
 
-/// Its lines, without their ends; the first one is line 1 of a compiler's message.
+/// Returns its lines, without line ends; the first one is line 1 of a compiler's message.
 std::vector<std::string_view> lines(const SourceFile& file);
 
 /// What a header says about a function: the lines that begin with `///` above it.
@@ -29,10 +29,10 @@ struct Described {
     std::string text;      ///< lines joined; an empty line between paragraphs
 };
 
-/// The description that stands nearest above a line (from 1), or on it; without text if there is none.
+/// Returns the nearest description above a line (from 1), or on it; without text if there is none.
 Described described_at(const SourceFile& file, std::size_t line);
 
-/// That of a function by its name, in the file whose path ends so.
+/// Returns the description of a function by its name, in the file whose path ends with `file_name`.
 Described described_function(std::string_view file_name, std::string_view function);
 
 }  // namespace glassbox

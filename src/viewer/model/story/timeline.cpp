@@ -24,10 +24,10 @@ using story::Surface;
 
 using Steps = std::span<const StoryStep>;
 
-/// Vectors: what is done there serves a formula elsewhere.
+/// Vector operations: they serve a formula elsewhere.
 bool is_general(const Step& step) { return std::string_view(step.file).ends_with("vec3.hpp"); }
 
-/// For each step, the first one it leads to that is `wanted`, itself included.
+/// For each step, the first `wanted` step that it leads to, itself included.
 template <class Wanted>
 std::vector<std::optional<StepNumber>> leads_to(Steps steps, const Wanted& wanted) {
     std::vector<std::optional<StepNumber>> found(steps.size());
@@ -43,7 +43,8 @@ std::vector<std::optional<StepNumber>> leads_to(Steps steps, const Wanted& wante
     return found;
 }
 
-/// For each step the first one that did the same with the same: a formula asked for twice computes all anew.
+/// For each step, the first one with the same operation and operands: a formula that is called twice computes
+/// everything again.
 std::vector<StepNumber> first_of_the_same(Steps steps) {
     std::map<std::tuple<Operation, StepNumber, StepNumber, long double>, StepNumber> seen;
     std::vector<StepNumber> first(steps.size());
@@ -63,7 +64,7 @@ std::string what_happens(Steps steps, const StoryStep& told) {
     return is_comparison(told.step.operation) ? done : fmt::format("{} = {}", short_number(told.checked.value), done);
 }
 
-/// Writes down the events of a story.
+/// Collects the events of a story.
 class Teller {
 public:
     explicit Teller(const Story& story) : story_(story) {}

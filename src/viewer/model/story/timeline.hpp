@@ -34,17 +34,17 @@ struct Event {
 /// All events of a pixel's story, in the order in which they happened: the ray; each listed surface's test with its
 /// operations and its verdict; which surface is nearest; the point, the normal, the light, the bytes.
 ///
-/// Nothing is told twice: the hit's tape begins with the nearest surface's test, and some parts of it are computed
-/// anew.
+/// No event is listed twice, although the hit's tape begins with the nearest surface's test and computes some parts of
+/// it again.
 std::vector<Event> timeline(const Story& story);
 
-/// The steps of the tape that a place is on.
+/// Returns the steps of the tape that a place is on.
 std::span<const story::StoryStep> tape_of(const Story& story, const StepPlace& place);
 
 /// Where a step on the timeline can lead.
 enum class StepTo { first, back, forward, last, next_failed, next_cancellation };
 
-/// The event that a step leads to from `now`: the same one where there is none.
+/// Returns the event that a step leads to from `now`; the same one if there is none.
 std::size_t stepped(std::span<const Event> events, std::size_t now, StepTo to);
 
 }  // namespace glassbox

@@ -14,7 +14,7 @@ struct Version {
     bool operator==(const Version&) const = default;
 };
 
-/// An editor may take the file away for a moment while it writes: that is a version of its own, and no error.
+/// An editor may remove the file for a moment while it writes: that is a version of its own, and no error.
 Version version(const std::filesystem::path& file) {
     std::error_code gone;
     Version now;

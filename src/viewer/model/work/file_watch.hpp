@@ -9,17 +9,16 @@
 
 namespace glassbox {
 
-/// Looks at files several times a second, which works on network and virtual file systems too, and notices when one has
-/// changed.
+/// Checks files for changes several times a second, which works on network and virtual file systems, too.
 class FileWatch {
 public:
-    /// Whether a file that goes away has changed. An editor may take it away for a moment while it writes.
+    /// Whether removing a file is a change. An editor may remove it for a moment while it writes.
     enum class Gone { is_no_change, is_a_change };
 
-    /// `wake` is called from another thread when there is something to tell.
+    /// Calls `wake` from another thread when a file has changed.
     FileWatch(std::vector<std::filesystem::path> files, Gone gone, std::function<void()> wake);
 
-    /// Whether a file has changed since this was last asked.
+    /// Whether a file has changed since the last call.
     bool has_changed() { return changed_.exchange(false); }
 
     const std::vector<std::filesystem::path>& files() const { return files_; }
@@ -33,7 +32,7 @@ private:
     std::atomic<bool> changed_ = false;
     std::mutex mutex_;
     std::condition_variable_any ended_;
-    std::jthread thread_;  // last: it uses all the others
+    std::jthread thread_;  // last: it uses all other members
 };
 
 }  // namespace glassbox

@@ -12,7 +12,7 @@ std::shared_ptr<const engine::Engine> KeptEngine::of(const std::shared_ptr<const
     const int knows = std::min(stage, stage_of_all_surfaces);
     const std::lock_guard lock(mutex_);
     if (scene_ != scene || stage_ != knows) {
-        engine_ = nullptr;  // first, so that two large ones are never there at once
+        engine_ = nullptr;  // first, so that two large ones never exist at once
         engine_ = build_engine(*scene, knows, threads);
         scene_ = scene;
         stage_ = knows;

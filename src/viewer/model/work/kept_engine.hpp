@@ -7,10 +7,10 @@
 
 namespace glassbox {
 
-/// The engine of the scene that is shown: made when it is first asked for, once for all threads that ask.
+/// The engine of the scene that is shown: made when it is first needed, once for all threads.
 class KeptEngine {
 public:
-    /// Of the surfaces that the stage knows.
+    /// Returns the engine of the surfaces that the stage knows.
     std::shared_ptr<const engine::Engine> of(const std::shared_ptr<const Scene>& scene, int stage, int threads);
 
 private:

@@ -12,16 +12,16 @@
 
 namespace glassbox {
 
-/// Work in the background of which only the newest counts: what is asked for while something runs asks that to stop,
-/// and takes its place. Results may come in several versions, each better than the one before.
+/// Background work of which only the newest counts: a new request stops what is running, and takes its place. Results
+/// may come in several versions, each better than the one before.
 template <class Result>
 class Latest {
 public:
     using Deliver = std::function<void(Result)>;
-    /// Work gets a token that says when to stop, and hands over what it has by `deliver`.
+    /// Work gets a token that says when to stop, and delivers its results by `deliver`.
     using Work = std::function<void(const std::stop_token&, const Deliver& deliver)>;
 
-    /// `wake` is called, from the worker's thread, whenever there is something new.
+    /// Calls `wake`, from the worker's thread, whenever there is a new result.
     explicit Latest(std::function<void()> wake)
         : wake_(std::move(wake)), thread_([this](const std::stop_token& end) { run(end); }) {}
 
@@ -30,7 +30,8 @@ public:
         cancel();
     }
 
-    /// If it goes on with what was asked before, what is there already, or yet comes of that, is still worth showing.
+    /// With `goes_on`, the work continues what was requested before: results of that, present or still to come, are
+    /// worth showing.
     void ask(Work work, bool goes_on = false) {
         {
             const std::lock_guard lock(mutex_);
@@ -41,7 +42,7 @@ public:
         asked_.notify_one();
     }
 
-    /// Stops what runs; nothing more comes of it.
+    /// Stops the running work, which delivers nothing more.
     void cancel() {
         const std::lock_guard lock(mutex_);
         next_.reset();
@@ -50,26 +51,26 @@ public:
         error_.clear();
     }
 
-    /// The newest result, once.
+    /// Returns the newest result, and each result only once.
     std::optional<Result> take() {
         const std::lock_guard lock(mutex_);
         return std::exchange(result_, std::nullopt);
     }
 
-    /// Whether more may come.
+    /// Whether more results may come.
     bool busy() const {
         const std::lock_guard lock(mutex_);
         return working_ || next_;
     }
 
-    /// What went wrong with the newest work; empty if nothing did.
+    /// Returns the error of the newest work; empty if there was none.
     std::string error() const {
         const std::lock_guard lock(mutex_);
         return error_;
     }
 
 private:
-    /// Neither what the work that runs has brought nor what it may yet bring is wanted.
+    /// Drops what the running work has delivered and what it may still deliver.
     void drop() {
         result_.reset();
         wanted_ = false;
@@ -120,9 +121,9 @@ private:
     std::optional<Result> result_;
     std::stop_source current_;
     bool working_ = false;
-    bool wanted_ = false;  ///< what comes of the work that runs
+    bool wanted_ = false;  ///< whether the running work's results are wanted
     std::string error_;
-    std::jthread thread_;  // last: it uses all the others
+    std::jthread thread_;  // last: it uses all other members
 };
 
 }  // namespace glassbox

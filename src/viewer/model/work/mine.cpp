@@ -26,7 +26,7 @@ MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson) {
         if (!mine.workspace)
             mine.workspace = std::make_shared<const learn::Workspace>(
                 learn::open_workspace(std::filesystem::current_path(), mine.folder));
-        std::string complaint;  // told by `learn`
+        std::string complaint;  // reported by `learn`
         const auto progress = [&] {
             return learn::read_progress(mine.workspace->hidden() / "progress.json", complaint);
         };

@@ -19,37 +19,37 @@ struct MineChoice {
     std::shared_ptr<const learn::Workspace> workspace;  ///< null: not looked for yet, or not there
     std::string problem;                                ///< why it is not there
     int lesson = 0;                                     ///< its number; 0: none yet
-    std::uint64_t saved = 0;                            ///< how often a header of it has changed since we look
+    std::uint64_t saved = 0;                            ///< how often one of its headers has changed since we watch
 };
 
-/// Whether the learner's picture is to be computed: it, or its difference from ours, stands beside ours.
+/// Whether the learner's picture must be computed: it, or its difference from ours, is shown beside ours.
 bool shows_mine(const ViewerState& state);
 
-/// The choice of that lesson, or of the one where the learner is. If the lessons, or that one, are not there, `problem`
-/// says so.
+/// Returns the choice of that lesson, or of the one where the learner is. If the lessons, or that lesson, do not exist,
+/// `problem` says so.
 MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson);
 
-/// Shows the learner's picture beside ours: of that lesson, or of the one where the learner is. Both are computed in
-/// double from then on, so that they differ by the code alone, and at the lesson's stage; undo takes that back.
+/// Shows the learner's picture beside ours, of that lesson, or of the one where the learner is. From then on both are
+/// computed in double, so that they differ by the code alone, and at the lesson's stage; undo reverts that.
 void show_mine(ViewerState& state, std::optional<int> lesson = {});
 
-/// Shows it, of the lesson that was shown last.
+/// Shows it for the lesson that was shown last.
 void show_last_mine(ViewerState& state);
 
-/// Shows it so, or shows nothing beside.
+/// Shows it for the lesson that was shown last, or, if it is shown, nothing beside ours.
 void toggle_mine(ViewerState& state);
 
-/// The lesson whose headers are used; null if there is none.
+/// Returns the lesson whose headers are used; null if there is none.
 const learn::Exercise* exercise_of(const MineChoice& mine);
 
-/// The learner's headers of that lesson, whether they are there or not.
+/// Returns the learner's headers of that lesson, whether they exist or not.
 std::vector<std::filesystem::path> files_of(const MineChoice& mine);
 
-/// What ours is computed in beside a lesson's picture: double, as that; or for the lesson on bounds the truth, which
-/// they may never contradict.
+/// Returns the scalar of our picture beside a lesson's: double, as in that one; for the lesson on bounds the truth,
+/// which the bounds may never contradict.
 Scalar scalar_of(const learn::Exercise& exercise);
 
-/// A setup as a lesson is looked at: in that scalar, at its stage.
+/// Returns a setup for looking at a lesson: in that scalar, at its stage.
 Setup for_lesson(Setup setup, const learn::Exercise& exercise);
 
 }  // namespace glassbox

@@ -6,23 +6,23 @@
 
 namespace glassbox {
 
-/// How many seconds a picture takes in each size, by those that were made: 1/factor of its width and height, the
-/// factors being 1, 2, 4, 8, 16.
+/// How many seconds a picture takes in each size, measured on those already made: 1/factor of its width and height, for
+/// the factors 1, 2, 4, 8, 16.
 class Pace {
 public:
     static constexpr int coarsest = 16;
 
     Pace() { seconds_.fill(std::numeric_limits<double>::infinity()); }
 
-    /// Infinity where it is not known.
+    /// Infinity if it is not known.
     double seconds(int factor) const { return seconds_[index(factor)]; }
-    /// One that was slow by chance does not count for much.
+    /// Limits the effect of a picture that was slow by chance.
     void note(int factor, double seconds) {
         double& known = seconds_[index(factor)];
         known = std::min(seconds, 1.25 * known);
     }
 
-    /// The finest size that is known to take less than this; `otherwise` if none is.
+    /// Returns the finest size that is known to take less than this; `otherwise` if none is.
     int finest_within(double seconds, int otherwise) const {
         for (int factor = 1; factor < otherwise; factor *= 2)
             if (this->seconds(factor) < seconds) return factor;

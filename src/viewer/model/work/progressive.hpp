@@ -10,12 +10,12 @@
 
 namespace glassbox {
 
-/// Makes what there is to see of a scene finer and finer, 1/factor of its width and height, by `make(scene, factor,
-/// job)`, until it has all its pixels, and hands it to `show`. The first is there at once, whatever the whole one
+/// Computes a view of a scene in finer and finer sizes, 1/factor of its width and height, by `make(scene, factor,
+/// job)`, until it has all its pixels, and hands each to `show`. The first size is quick, however long the whole one
 /// takes; sizes that take no time are skipped. `pace` keeps how long each size takes, from one call to the next.
 ///
-/// What takes no longer than a frame is not stopped, and is shown though something newer is wanted: so a view that
-/// turns with the mouse is seen to turn, 20 times a second. Throws Cancelled.
+/// What takes no longer than a frame is not stopped, and is shown even if something newer is wanted, so that a view
+/// that turns with the mouse is seen turning, 20 times a second. Throws Cancelled.
 template <class Make, class Show>
 void coarse_to_fine(const Scene& scene, Job job, Pace& pace, const Make& make, const Show& show) {
     using Clock = std::chrono::steady_clock;
@@ -24,7 +24,7 @@ void coarse_to_fine(const Scene& scene, Job job, Pace& pace, const Make& make, c
     const auto made = [&](int factor, bool quick) {
         const auto start = Clock::now();
         const auto note = [&] { pace.note(factor, std::chrono::duration<double>(Clock::now() - start).count()); };
-        // What seems quick gets some time more: a machine may be busy.
+        // Allow more time than expected: the machine may be busy.
         constexpr auto more = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2 * a_frame));
         job.not_before = quick ? start + more : Clock::time_point();
         try {
@@ -33,7 +33,7 @@ void coarse_to_fine(const Scene& scene, Job job, Pace& pace, const Make& make, c
             note();
             return result;
         } catch (const Cancelled&) {
-            if (quick) note();  // it was not
+            if (quick) note();  // it was not quick
             throw;
         }
     };

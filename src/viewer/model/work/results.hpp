@@ -28,12 +28,12 @@ struct MeasuredPlanes {
     int factor = 1;
 };
 
-/// What was computed for a ViewerState: the newest of each kind, until something newer is there. `serial` numbers rise
-/// with each new version, for whoever keeps something made from it.
+/// What was computed for a ViewerState: the newest result of each kind, kept until there is a newer one. `serial`
+/// numbers rise with each new version, for caches of what is made from it.
 struct Results {
     Picture picture, other;  ///< the other one by another scalar or rule, or by the learner's code
-    /// How the learner's picture stands; null: it is not shown, or nothing is known yet. While it has no drawing of its
-    /// own, `other` is the last one that there was; else `other` is that drawing.
+    /// The state of the learner's picture; null if it is not shown, or nothing is known yet. While it has no drawing of
+    /// its own, `other` is the last drawing; otherwise `other` is that drawing.
     std::shared_ptr<const learn::mine::PictureUpdate> mine;
     std::shared_ptr<const MeasuredPlanes> overlay;  ///< null: none
     std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none

@@ -5,21 +5,21 @@
 
 namespace glassbox {
 
-/// The place of the paper's loops, `for each column j { for each row i { … } }`, counted from the bottom left.
+/// A position in the paper's loops, `for each column j { for each row i { … } }`, counted from the bottom left.
 struct LoopPlace {
     int column = 0, row = 0;
 };
 
-/// Where the loops are at their pixel number `k`, from 0, of a picture of this height.
+/// Returns the loops' position at pixel number `k`, from 0, of a picture of this height.
 LoopPlace loop_place(std::size_t k, int height);
 
-/// How many pixels the scene's picture has.
+/// Returns how many pixels the scene's picture has.
 double pixels(const ViewerState& state);
 
-/// Begins to fill the picture anew, pixel by pixel.
+/// Starts to fill the picture again, pixel by pixel.
 void watch(ViewerState& state);
 
-/// Goes on for so many seconds; at the last pixel the watching is over.
+/// Continues for so many seconds; ends at the last pixel.
 void go_on_watching(ViewerState& state, double seconds);
 
 }  // namespace glassbox

@@ -6,7 +6,7 @@ namespace glassbox {
 
 namespace {
 
-/// From the smallest triangle to the largest: the number is a volume, whatever the scene's size.
+/// From the smallest triangle to the largest: the tolerance is a volume, whatever the scene's size.
 void tolerance(ViewerState& state, double now) {
     const auto set = [&](double value) {
         if (value >= 0 && value <= 1e300)

@@ -24,7 +24,7 @@ void figure_buttons(ViewerState& state) {
     }
 }
 
-/// A light that has no direction is not taken.
+/// Refuses a light that has no direction.
 void aim(ViewerState& state, const Vec3<double>& position) {
     state.light_refused = !why_no_direction(position).empty();
     if (!state.light_refused) drag_setup(state, [&](Setup& setup) { setup.light_vector = position; });
@@ -51,7 +51,7 @@ void light_direction(const Frame& frame) {
         ImGui::PopStyleColor();
     }
 
-    // While one angle is dragged the other two numbers are those that the drag began with: no rounding adds up.
+    // While one angle is dragged, the other two numbers stay as they were when the drag began: no rounding adds up.
     Pointing angles = pointing(now);
     const Pointing kept = pointing(state.setup.before_drag().light_vector), scenes = pointing(own);
     const auto slider = [&](const char* label, const char* format, double& value, double least, double most,

@@ -44,14 +44,14 @@ void step_buttons(ViewerState& state) {
     tip("as the scene says, without turns");
 }
 
-/// By how much the present drag turns about an axis; 0 when it turns about another, or nothing is dragged.
+/// Returns the angle by which the present drag turns about an axis; 0 if it turns about another, or nothing is dragged.
 double dragged_angle(const ViewerState& state, Axis axis) {
     const auto& turns = state.setup.now().options.turns;
     const auto& before = state.setup.before_drag().options.turns;
     return turns.size() == before.size() + 1 && turns.back().axis == axis ? turns.back().degrees : 0;
 }
 
-/// A slider for each axis: each drag is a turn of its own, and lets go at 0 again.
+/// A slider for each axis: each drag is a turn of its own, and returns to 0 when released.
 void angle_sliders(ViewerState& state) {
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
         const std::string label = fmt::format("##turn{}", static_cast<int>(axis));

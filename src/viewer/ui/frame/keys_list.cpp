@@ -33,7 +33,7 @@ void draw_keys(const Frame& frame) {
                 row("", group);
                 ImGui::PopStyleColor();
             }
-            // Keys without words of their own belong to the one before.
+            // Keys without words of their own belong to the previous key.
             std::string labels(binding.label);
             for (++i; i < bindings.size() && bindings[i].what.empty(); ++i)
                 labels += fmt::format(" {}", bindings[i].label);

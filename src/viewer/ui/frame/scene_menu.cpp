@@ -55,7 +55,7 @@ void shipped_list(const Frame& frame) {
 void draw_scene_menu(const Frame& frame) {
     SceneMenu& menu = frame.state.scene_menu;
     if (!menu.shown) {
-        menu.scenes.clear();  // so that they are read anew next time
+        menu.scenes.clear();  // so that they are read again next time
         return;
     }
     if (menu.scenes.empty()) list_scenes(menu);

@@ -22,7 +22,7 @@ void stage_buttons(ViewerState& state) {
     }
 }
 
-/// Two more of text, or less, within what can be read.
+/// Changes the text size, within what can be read.
 void resize_text(ViewerState& state, float by) {
     state.appearance.text_size = std::clamp(state.appearance.text_size + by, least_text_size, greatest_text_size);
 }
@@ -31,7 +31,7 @@ void resize_text(ViewerState& state, float by) {
 
 void draw_toolbar(const Frame& frame) {
     ViewerState& state = frame.state;
-    // What does not fit goes on in the next line.
+    // What does not fit continues in the next line.
     if (ImGui::Button("Open…")) state.scene_menu.shown = !state.scene_menu.shown;
     tip("Open another scene (Ctrl+O)");
     flow("Stage1");
@@ -63,7 +63,7 @@ void draw_toolbar(const Frame& frame) {
     flow("?");
     if (toggle("?", state.keys_shown)) state.keys_shown = !state.keys_shown;
     tip("All keys");
-    // The title only where it costs no line of its own: the controls page has it, too.
+    // Show the title only if it needs no line of its own: the controls page has it, too.
     const std::string title = state.scene->title.empty() ? state.file.filename().string() : state.scene->title;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     const float gap = 2 * ImGui::GetStyle().ItemSpacing.x;

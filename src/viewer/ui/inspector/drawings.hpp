@@ -4,16 +4,16 @@
 
 namespace glassbox {
 
-// The inspector's drawings, each as wide as it is told. They lay out what the story says, and compute no number that is
+// The inspector's drawings, each as wide as given. They lay out what the story says, and compute no number that is
 // shown.
 
-/// A number's place on a line with its 0, its bound and its truth; below it words on the bound.
+/// A number's position on a line with 0, its bound and its true value; below it words on the bound.
 void draw_error_bar(const Frame& frame, const story::Number& number, float width);
 
 /// The line through a sphere, in the plane of the line and the centre, with the roots of both rules.
 void draw_sphere(const Frame& frame, const Ray<double>& ray, const story::Surface& surface, float width, ImU32 color);
 
-/// A triangle as it is seen along the ray, which is a point there; each edge with the sign of its side product.
+/// A triangle as seen along the ray, which appears as a point; each edge with the sign of its side product.
 void draw_triangle(const Frame& frame, const Ray<double>& ray, const story::Surface& surface, float width, ImU32 color);
 
 /// The weights as parts of a whole.

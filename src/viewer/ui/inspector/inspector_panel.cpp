@@ -16,7 +16,7 @@ namespace glassbox {
 
 namespace {
 
-/// The pinned pixel's story, and the second one's; null: there is none.
+/// The story of the pinned pixel, and of the second one; null if there is none.
 struct Told {
     const Frame& frame;
     const Story *first, *second;
@@ -24,7 +24,7 @@ struct Told {
     bool comparing() const { return second != nullptr; }
 };
 
-/// To the right of the last item, if there is room for something so wide; else below.
+/// Continues to the right of the last item, if there is room for this width; else below.
 void beside_if_it_fits(float width) {
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -33,7 +33,7 @@ void beside_if_it_fits(float width) {
 
 float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x; }
 
-/// A button that copies what `make` makes.
+/// A button that copies the result of `make`.
 template <class Make>
 void copy_button(const char* label, const char* what, const Make& make) {
     if (ImGui::Button(label)) ImGui::SetClipboardText(make().c_str());
@@ -110,7 +110,7 @@ void draw_inside(const Told& told, const Pair<InspectorPart>& part) {
     draw_parts(told, paired<InspectorPart>(first.parts, second.parts, &InspectorPart::title));
 }
 
-/// "✓ ■ sphere 0  met, nearest: t = 441.716": behind the arrow that opens it.
+/// Draws a heading such as "✓ ■ sphere 0  met, nearest: t = 441.716", after the arrow that opens it.
 void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
     const Palette& palette = told.frame.palette;
     const InspectorPart& any = part.first ? *part.first : *part.second;
@@ -142,7 +142,7 @@ void draw_parts(const Told& told, std::span<const Pair<InspectorPart>> parts) {
     for (const Pair<InspectorPart>& part : parts) {
         const bool open = (part.first && part.first->open) || (part.second && part.second->open);
         const InspectorPart& any = part.first ? *part.first : *part.second;
-        // What is open at first has a name of its own: the surface that is met now opens, whatever was closed before.
+        // What is open at first has an id of its own, so that the surface met now opens, whatever was closed before.
         const std::string id = fmt::format("##{}{}", any.title, open ? "" : " closed");
         constexpr ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth;
         const bool is_open = ImGui::TreeNodeEx(id.c_str(), flags | (open ? ImGuiTreeNodeFlags_DefaultOpen : 0));
@@ -169,7 +169,7 @@ void draw_section(const Told& told, const Pair<InspectorPart>& part) {
     ImGui::Spacing();
 }
 
-/// A large swatch, and what it is of.
+/// A large swatch and its description.
 void draw_title(const Story& story, const Palette& palette, ImU32 color, const char* digit) {
     const float side = 2.2f * ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();

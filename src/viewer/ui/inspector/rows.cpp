@@ -22,7 +22,7 @@ public:
         first_ = false;
         draw_wrapped(color, text);
     }
-    /// Further items follow on this line.
+    /// Lets further items follow on this line.
     void begun() { first_ = false; }
 
 private:
@@ -46,7 +46,7 @@ void draw_facts(const InspectedNumber& number) {
     ImGui::EndTooltip();
 }
 
-/// Not a number is the same as not a number here.
+/// Unlike ==, counts two NaNs as equal.
 bool same(const InspectedNumber& a, const InspectedNumber& b) {
     return written(a, NumberForm::hex) == written(b, NumberForm::hex);
 }
@@ -109,7 +109,7 @@ void draw_cell(const Frame& frame, const InspectorRow* row, bool different) {
     draw_value(frame, *row, different);
 }
 
-/// Labels take as much as they need, but less than half.
+/// Labels take as much width as they need, but less than half.
 float label_width(std::span<const Pair<InspectorRow>> rows) {
     float width = 0;
     for (const auto& [first, second] : rows)

@@ -8,11 +8,12 @@
 
 namespace glassbox {
 
-/// One of the first pixel and one of the second, which belong together; null: that pixel has none.
+/// Two items that belong together, one of the first pixel and one of the second; null if that pixel has none.
 template <class T>
 using Pair = std::pair<const T*, const T*>;
 
-/// Those of two lists that have the same name, in the first one's order; then those that only the second one has.
+/// Pairs the items of two lists that have the same name, in the first one's order; then those that only the second one
+/// has.
 template <class T>
 std::vector<Pair<T>> paired(std::span<const T> first, std::span<const T> second, const std::string T::*name) {
     std::vector<Pair<T>> pairs;
@@ -27,16 +28,16 @@ std::vector<Pair<T>> paired(std::span<const T> first, std::span<const T> second,
     return pairs;
 }
 
-/// "✓ " or "✗ ", and the cursor behind it on the same line.
+/// Draws "✓ " or "✗ ", and leaves the cursor after it on the same line.
 void draw_mark(const Palette& palette, bool passed);
 
-/// A small square of a colour, and the cursor behind it on the same line.
+/// Draws a small square of a colour, and leaves the cursor after it on the same line.
 void draw_swatch(const Palette& palette, Rgb color);
 
-/// Whether two pixels' numbers have too little room beside each other.
+/// Whether there is too little room to show two pixels' numbers side by side.
 bool one_below_the_other();
 
-/// The rows of one pixel; with `comparing` of two, what differs marked.
+/// Draws the rows of one pixel; with `comparing` of two, with the differences marked.
 void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, bool comparing);
 
 }  // namespace glassbox

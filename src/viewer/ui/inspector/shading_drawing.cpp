@@ -101,7 +101,7 @@ void draw_terms(const Frame& frame, const Story& story, const Shade& shade, floa
     }
     column = std::max(column, ImGui::CalcTextSize("green").x + unit * .6f);
     const float name_at = 3.2f * unit, numbers_at = name_at + names + unit * .4f;
-    // Where there is no place beside the names, the numbers stand below them.
+    // If there is no room beside the names, the numbers go below them.
     const bool below = numbers_at + 3 * column > width;
     const float left = below ? std::max(0.f, std::min(name_at, width - 3 * column)) : numbers_at;
     const float each = below ? 2 * step : step;

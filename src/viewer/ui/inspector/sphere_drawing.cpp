@@ -7,7 +7,7 @@ namespace glassbox {
 
 void draw_sphere(const Frame& frame, const Ray<double>& ray, const story::Surface& surface, float width, ImU32 color) {
     const auto& test = std::get<story::SphereTest>(surface.test);
-    // Lengths along the line from its point nearest to the centre, and square to it, both in radii.
+    // Lengths along the line, from its point nearest to the centre, and perpendicular to it, both in radii.
     const double speed = length(ray.D), radius = test.radius;
     const Vec3<double> to_center = test.center - ray.P;
     const double foot = dot(to_center, ray.D) / speed;
@@ -23,8 +23,8 @@ void draw_sphere(const Frame& frame, const Ray<double>& ray, const story::Surfac
     const ImVec2 size = canvas.size();
     canvas.list().AddRect(canvas.at(0, 0), canvas.at(size.x, size.y), palette.line);
 
-    // From the circle's bottom to its top, or to the line above; farther lines stay at the edge, with a broken
-    // distance.
+    // From the circle's bottom to its top, or to the line above; a line farther away is drawn at the edge, with a break
+    // in the distance.
     constexpr double farthest = 3;
     const bool far = away > farthest;
     const double shown = std::min(away, farthest), top = std::max(1.0, shown), height = top + 1;

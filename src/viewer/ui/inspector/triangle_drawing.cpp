@@ -15,7 +15,7 @@ struct Flat {
     double x, y;
 };
 
-/// Where points lie for who looks along D: x to the right, y up, the ray's start in the middle.
+/// Projects points for a viewer who looks along D: x to the right, y up, the ray's start in the middle.
 class Looking {
 public:
     explicit Looking(const Ray<double>& ray) : P_(ray.P) {
@@ -39,7 +39,7 @@ const char* sign_of(const Number& n) {
     return n.sign > 0 ? "+" : n.sign < 0 ? "−" : "0";
 }
 
-/// A square window on the plane that is shown on the canvas.
+/// The square part of that plane that is shown on the canvas.
 struct Window {
     Flat middle{};
     double half = 1;
@@ -69,7 +69,7 @@ bool has_place(Flat p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 void draw_triangle(const Frame& frame, const Ray<double>& ray, const Surface& surface, float width, ImU32 color) {
     const auto& test = std::get<TriangleTest>(surface.test);
     const Looking look(ray);
-    // The ray's own point comes last.
+    // The ray's own point is last.
     const std::array<Flat, 4> points{look(test.vertices[0]), look(test.vertices[1]), look(test.vertices[2]), {0, 0}};
     if (!std::all_of(points.begin(), points.end(), has_place)) {
         ImGui::TextWrapped("Its coordinates are not finite: it cannot be drawn.");
@@ -105,7 +105,7 @@ void draw_triangle(const Frame& frame, const Ray<double>& ray, const Surface& su
         const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
         canvas.line(from, to, edge.color, 3);
         canvas.arrow_head(from, {from.x + (to.x - from.x) * .58f, from.y + (to.y - from.y) * .58f}, edge.color);
-        // Square to the edge, away from the vertex that is not on it.
+        // Perpendicular to the edge, away from the vertex that is not on it.
         const ImVec2 third = corner[3 - edge.from - edge.to];
         const float length = std::max(1e-6f, std::hypot(to.x - from.x, to.y - from.y));
         ImVec2 away_from_it{(to.y - from.y) / length, (from.x - to.x) / length};

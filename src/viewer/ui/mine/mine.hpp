@@ -5,26 +5,26 @@
 
 namespace glassbox {
 
-/// How the learner's picture stands, in a sign and a colour.
+/// The state of the learner's picture, as a sign and a colour.
 struct MineSign {
     const char* sign;
     ImU32 color;
 };
 MineSign mine_sign(const Frame& frame);
 
-/// The same in words, of any number of lines; "" where the picture says all.
+/// The same in words, of any number of lines; "" if the picture says everything.
 std::string mine_words(const Frame& frame);
 
 /// "mine: 2-spheres"
 std::string mine_title(const ViewerState& state);
 
-/// Whether what stands beside is the last picture that there was, and not one of the code as it is now.
+/// Whether the picture beside ours is an earlier one, and not one of the code as it is now.
 bool mine_is_old(const Frame& frame);
 
-/// The words over the lower part of the picture area, from `left` to its right.
+/// Draws the words over the lower part of the picture area, from `left` to its right edge.
 void draw_mine_banner(const Frame& frame, ImVec2 corner, ImVec2 size, float left);
 
-/// The lessons to choose from, how it stands, and what the code printed: a part of the overlay's page.
+/// The lessons to choose from, the state of the picture, and what the code printed: a part of the overlay's page.
 void draw_mine_panel(const Frame& frame);
 
 }  // namespace glassbox

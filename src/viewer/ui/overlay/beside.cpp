@@ -54,7 +54,7 @@ void tell_difference(const Frame& frame) {
     }
 }
 
-/// Which brightness stands for which difference.
+/// Shows which brightness stands for which difference.
 void difference_legend(const Frame& frame) {
     constexpr int magnification = Difference::magnification, brightest = 255 / magnification;
     faint(frame,
@@ -102,7 +102,7 @@ void draw_beside(const Frame& frame) {
     if (radio(Beside::mine, "my code")) show_last_mine(state);
     if (radio(Beside::mine_difference, "my code's difference from ours")) show_last_mine(state);
     const bool with_other = state.beside == Beside::other || state.beside == Beside::difference;
-    // To see something at once.
+    // Make the two differ, so that there is something to see at once.
     if ((chosen || chosen_difference) && computed_alike(state.setup.now().options, state.other))
         state.other.scalar = state.other.scalar == Scalar::float_ ? Scalar::double_ : Scalar::float_;
     if (state.beside == Beside::nothing) faint(frame, "One picture; the overlay lies over all of it.");

@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-/// "double, tolerance:10, stable": by which scalar and rules a picture is computed.
+/// Returns the scalar and rules that a picture is computed with: "double, tolerance:10, stable".
 std::string how_computed(const Options& options);
 
 }  // namespace glassbox

@@ -16,7 +16,7 @@ namespace {
 
 ImU32 packed(Rgb c) { return IM_COL32(c.red, c.green, c.blue, 255); }
 
-/// One component's values and colours, and where they are drawn.
+/// One component's values and colours, and where they are drawn on the screen.
 struct Plot {
     const Frame& frame;
     const Distribution& of;
@@ -35,7 +35,7 @@ struct Plot {
         if (axis < 0) return color_on_bar(of.coloring, column, columns());
         return color(std::lerp(of.coloring.low, of.coloring.high, static_cast<double>(column) / (columns() - 1)));
     }
-    /// Where a bin begins and ends, 0 to 1.
+    /// Where a bin begins and ends, from 0 to 1.
     std::pair<double, double> place(std::size_t bin) const {
         const std::vector<Bin>& bins = histogram().bins;
         const double low = bins.front().from, numbers = bins.back().to - low + 1;
@@ -44,7 +44,7 @@ struct Plot {
         return {static_cast<double>(bin) / all, static_cast<double>(bin + 1) / all};
     }
     float x(double place) const { return corner.x + static_cast<float>(place) * width; }
-    /// How high so many pixels are drawn.
+    /// The height at which so many pixels are drawn.
     float y(double count) const {
         const auto most = static_cast<double>(std::max<std::int64_t>(1, histogram().most));
         const double share = frame.state.overlay_page.log_counts ? std::log1p(count) / std::log1p(most) : count / most;
@@ -52,7 +52,7 @@ struct Plot {
     }
 };
 
-/// The counts at which lines are drawn across.
+/// The counts at which horizontal lines are drawn.
 std::vector<Tick> count_ticks(const Frame& frame, std::int64_t most) {
     if (!frame.state.overlay_page.log_counts) return ticks(0, static_cast<double>(most), 3, true);
     std::vector<Tick> all{{0, "0"}};
@@ -82,7 +82,7 @@ void draw_bins(ImDrawList& list, const Plot& plot) {
         const Bin& bin = plot.histogram().bins[i];
         if (bin.count == 0) continue;
         const auto [from, to] = plot.place(i);
-        const float top = std::min(plot.y(static_cast<double>(bin.count)), floor - 2);  // one pixel can be seen, too
+        const float top = std::min(plot.y(static_cast<double>(bin.count)), floor - 2);  // one must be visible
         const float gap = plot.histogram().bins.size() <= 20 ? 1.f : 0.f;
         const double middle = plot.of.coloring.blocks ? bin.from : std::lerp(bin.from, bin.to, .5);
         const ImVec2 left{plot.x(from) + gap, top}, right{std::max(plot.x(to) - gap, plot.x(from) + gap + 1), floor};
@@ -120,7 +120,7 @@ void draw_ticks(ImDrawList& list, const Plot& plot) {
     }
 }
 
-/// What is measured at a pixel; nothing while only a coarse picture is there.
+/// The value measured at a pixel; none while there is only a coarse picture.
 std::optional<double> value_at(const Frame& frame, int axis, const std::optional<Pixel>& pixel) {
     const MeasuredPlanes& measured = *frame.results.overlay;
     const Channel& channel = measured.channels[static_cast<std::size_t>(std::max(axis, 0))];
@@ -134,8 +134,8 @@ float x_of(const Plot& plot, double value) {
     return plot.corner.x + static_cast<float>(place_on_bar(plot.of.coloring, within, plot.columns()));
 }
 
-/// A line through all of the plot at x, where a pinned pixel's value is, with the pin's number above, moved aside a
-/// bit.
+/// A vertical line through the plot at x, where a pinned pixel's value is, with the pin's number above, moved by
+/// `aside`.
 void draw_pin(ImDrawList& list, const Plot& plot, float x, float aside, ImU32 color, const char* name) {
     const float size = ImGui::GetFontSize(), thick = std::max(2.f, size / 9);
     const float end = plot.corner.y + plot.height + plot.bar;
@@ -144,7 +144,7 @@ void draw_pin(ImDrawList& list, const Plot& plot, float x, float aside, ImU32 co
     list.AddText({x + aside - ImGui::CalcTextSize(name).x / 2, plot.corner.y - size}, color, name);
 }
 
-/// Both pins; the numbers of two that are close stand side by side.
+/// Draws both pins; the numbers of two that are close stand side by side.
 void draw_pins(ImDrawList& list, const Plot& plot) {
     const Frame& frame = plot.frame;
     const auto place = [&](const std::optional<Pixel>& pixel) -> std::optional<float> {
@@ -192,7 +192,7 @@ void tell_bin(const Plot& plot, const Measurement& what, std::size_t index) {
         fmt::format("{}\n{}, {:.2g} % of those here", with_unit(text, what.unit), pixels(bin.count), percent).c_str());
 }
 
-/// The range from one place on the bar to another.
+/// The range between two positions on the bar.
 std::pair<double, double> range_between(const Plot& plot, double one, double other) {
     const double from = std::clamp(std::min(one, other), 0.0, 1.0), to = std::clamp(std::max(one, other), 0.0, 1.0);
     const auto [low, high] = std::pair(plot.of.coloring.low, plot.of.coloring.high);

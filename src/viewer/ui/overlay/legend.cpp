@@ -53,7 +53,7 @@ void counts(const Frame& frame, const Measurement& what, const Distribution& of)
     const double infinity = std::numeric_limits<double>::infinity();
     const bool clipped = of.coloring.shown.has_value();
     const auto beyond = [&](std::int64_t count, Rgb color, const std::string& text) {
-        // A range that was set has its colours listed even where no value lies outside.
+        // If the user has set a range, its colours are listed even if no value lies outside.
         if (clipped) swatch(color, text + ": " + pixels(count));
         else add(count, color, text);
     };
@@ -72,7 +72,7 @@ void counts(const Frame& frame, const Measurement& what, const Distribution& of)
               "Nothing was measured there. What came out as NaN counts as no value, too: the two look the same.");
 }
 
-/// A number that is changed as it is typed. Returns whether it is another now.
+/// A number field that applies each change as it is typed. Returns whether the number has changed.
 bool number_field(const char* label, double& value, float width) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
@@ -116,7 +116,7 @@ void range(const Frame& frame, const Measurement& what, const Summary& summary, 
         if (labels + 2 * width + unit + 2 * style.ItemSpacing.x < room) ImGui::SameLine();
         ImGui::TextUnformatted(what.unit.data(), what.unit.data() + what.unit.size());
     }
-    // While a number is being typed, it may be on the wrong side of the other for a moment.
+    // While a number is being typed, it may temporarily be on the wrong side of the other.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID wrong = ImGui::GetID("wrong range");
     if (changed) {

@@ -65,7 +65,7 @@ void filter_box(std::string& filter) {
     if (ImGui::Button("×##filter", {ImGui::GetFrameHeight(), 0})) filter.clear();
 }
 
-/// Whether the choice is another one than when this was last asked, or the rows have another height.
+/// Whether the choice, or the rows' height, has changed since the last call.
 bool is_new_choice(const std::string& measurement) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID key = ImGui::GetID("shown");
@@ -87,7 +87,7 @@ void draw_measurement_list(const Frame& frame) {
     ImGui::BeginChild("measurements", {0, std::max(window * .36f, 6 * line)}, true);
     const bool is_new = is_new_choice(state.overlay.measurement);
     const auto choose = [&](std::string_view name) {
-        if (state.overlay.measurement != name) state.overlay.range.reset();  // it was the other one's
+        if (state.overlay.measurement != name) state.overlay.range.reset();  // it was for the other measurement
         state.overlay.measurement = name;
     };
     const auto show = [&](std::string_view name, std::string_view unit, std::string_view explanation) {

@@ -15,7 +15,7 @@ void heading(const Frame& frame, const char* text) {
 }  // namespace
 
 void draw_overlay(const Frame& frame) {
-    // A learner's code is what one looks at now, so it comes first.
+    // The user looks at a learner's code now, so it comes first.
     const bool mine = shows_mine(frame.state);
     if (mine) {
         heading(frame, "Beside the picture");

@@ -25,7 +25,7 @@ struct Canvas {
         const Point p = frame.state.view.on_screen({x, y});
         return {corner.x + static_cast<float>(p.x), corner.y + static_cast<float>(p.y)};
     }
-    /// The pixels that can be seen: from `first` to `last`, both included.
+    /// The visible pixels: from `first` to `last`, both included.
     Pixel first() const { return clamped(frame.state.view.pixel_at({0, 0})); }
     Pixel last() const { return clamped(frame.state.view.pixel_at({size.x, size.y})); }
     Pixel clamped(Pixel p) const {
@@ -34,7 +34,7 @@ struct Canvas {
     float split() const { return corner.x + static_cast<float>(frame.state.split) * size.x; }
 };
 
-/// Pictures are drawn from whole pixel to whole pixel of the screen: else one made smaller can lose its last column.
+/// Pictures are drawn between whole pixels of the screen: otherwise a reduced one can lose its last column.
 ImVec2 whole(ImVec2 p) { return {std::round(p.x), std::round(p.y)}; }
 
 void draw_texture(const Canvas& canvas, const Texture& texture, ImU32 tint = IM_COL32_WHITE) {
@@ -44,14 +44,14 @@ void draw_texture(const Canvas& canvas, const Texture& texture, ImU32 tint = IM_
                          {1, 1}, tint);
 }
 
-/// Nothing at all, so that ours is not taken for mine.
+/// Draws nothing, so that our picture is not mistaken for the learner's.
 void draw_blank(const Canvas& canvas) {
     const Scene& scene = *canvas.frame.state.scene;
     canvas.list.AddRectFilled(whole(canvas.at(0, 0)), whole(canvas.at(scene.width, scene.height)),
                               canvas.frame.palette.canvas);
 }
 
-/// What is right of the split, or over all of the picture.
+/// Draws what is right of the split, or over all of the picture.
 void draw_layers(const Canvas& canvas) {
     const ViewerState& state = canvas.frame.state;
     const Pictures& pictures = canvas.frame.pictures;
@@ -61,7 +61,7 @@ void draw_layers(const Canvas& canvas) {
     const float from = is_split ? canvas.split() : canvas.corner.x;
     canvas.list.PushClipRect({from, canvas.corner.y},
                              {canvas.corner.x + canvas.size.x, canvas.corner.y + canvas.size.y}, true);
-    // A picture of code that is no more is dimmed: a new one will come, or cannot.
+    // Dims a picture of outdated code: a new one will come, or cannot.
     const ImU32 tint = mine_is_old(canvas.frame) ? IM_COL32(110, 110, 110, 255) : IM_COL32_WHITE;
     const bool other = state.beside == Beside::other || state.beside == Beside::mine;
     const bool difference = state.beside == Beside::difference || state.beside == Beside::mine_difference;
@@ -103,7 +103,7 @@ std::vector<std::string> numbers_in(const Canvas& canvas, int x, int y, bool ove
     return {std::to_string(c.red), std::to_string(c.green), std::to_string(c.blue)};
 }
 
-/// Black or white, whichever can be read on this colour.
+/// Returns black or white, whichever is readable on this colour.
 ImU32 ink_on(Rgb c) {
     return 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue > 140 ? IM_COL32(0, 0, 0, 255) : IM_COL32_WHITE;
 }
@@ -144,7 +144,7 @@ void draw_numbers(const Canvas& canvas) {
         }
 }
 
-/// A frame around a pixel that can be seen on any colour and at any zoom.
+/// A frame around a pixel that is visible on any colour and at any zoom.
 void draw_pin(const Canvas& canvas, Pixel pixel, ImU32 color, const char* name) {
     ImVec2 from = canvas.at(pixel.x, pixel.y), to = canvas.at(pixel.x + 1, pixel.y + 1);
     const float least = 9;
@@ -178,7 +178,7 @@ void draw_split(const Canvas& canvas) {
         state.split = std::clamp((ImGui::GetIO().MousePos.x - canvas.corner.x) / canvas.size.x, 0.f, 1.f);
 }
 
-/// What stands on a side of the split, at its top, from `left` to `right`.
+/// The label of a side of the split, at its top, from `left` to `right`.
 void draw_label(const Canvas& canvas, float left, float right, const std::string& text) {
     const float size = ImGui::GetFontSize(), pad = size / 4, room = right - left - 4 * pad;
     if (room < 4 * size) return;
@@ -210,7 +210,7 @@ void draw_labels(const Canvas& canvas) {
     draw_label(canvas, split, canvas.corner.x + canvas.size.x, right);
 }
 
-/// Which pixel of the scene's picture the mouse is on.
+/// Returns the pixel of the scene's picture that the mouse is on.
 std::optional<Pixel> pointed_at(const Canvas& canvas) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const Pixel p = canvas.frame.state.view.pixel_at({mouse.x - canvas.corner.x, mouse.y - canvas.corner.y});
@@ -228,8 +228,8 @@ void pin(ViewerState& state, Pixel pixel, bool second) {
     state.playing = false;
 }
 
-/// Turns the view with the mouse: to the side about z, up and down about y, half a turn for the picture's width. What
-/// is seen follows the mouse, where x points at the viewer.
+/// Turns the view with the mouse: horizontally about z, vertically about y, half a turn for the picture's width. What
+/// is seen follows the mouse if x points at the viewer.
 void turn_by_mouse(const Canvas& canvas) {
     ViewerState& state = canvas.frame.state;
     ImVec2 by{};

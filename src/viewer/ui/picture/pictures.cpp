@@ -20,8 +20,8 @@ std::vector<Rgba> opaque(const Image& image) {
 
 void fill(Texture& texture, const Image& image) { texture.fill(image.width, image.height, opaque(image)); }
 
-/// A learner's picture, with what is not a number, or not decided, in colours of their own, and nothing where nothing
-/// is drawn.
+/// Fills a texture with a learner's picture, with colours of their own for what is not a number or not decided, and
+/// nothing where nothing is drawn.
 void fill(Texture& texture, const learn::mine::Drawing& drawing) {
     std::vector<Rgba> pixels = opaque(drawing.image);
     if (drawing.drawn == 0) std::fill(pixels.begin(), pixels.end(), Rgba{0, 0, 0, 0});
@@ -46,7 +46,7 @@ std::vector<Rgba> watched(const Image& image, std::size_t shown) {
     return pixels;
 }
 
-/// So many of the scene's pixels, in pixels of an image of it that may be a coarse one.
+/// Converts a number of the scene's pixels to pixels of an image of it that may be coarser.
 std::size_t on_image(std::size_t shown, const Image& image, const ViewerState& state) {
     return static_cast<std::size_t>(static_cast<double>(shown) * static_cast<double>(image.pixels.size()) /
                                     pixels(state));

@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-/// The computed pictures as textures, and what is to be said of them: renewed when there is something newer.
+/// The computed pictures as textures, and what is said of them; updated when there is something newer.
 class Pictures {
 public:
     void update(const ViewerState& state, const Results& results);
@@ -21,10 +21,10 @@ public:
     const Texture& other() const { return other_; }            ///< another scalar's or rule's picture
     const Texture& difference() const { return difference_; }  ///< between the two
 
-    /// What the overlay's colours stand for, a plane each; empty while nothing is measured.
+    /// What the overlay's colours stand for, one for each plane; empty while nothing is measured.
     const std::vector<Distribution>& distributions() const { return distributions_; }
 
-    /// How much the final pictures differ; nothing until both are there.
+    /// How much the final pictures differ; none until both are there.
     struct Differing {
         std::int64_t pixels;
         int greatest;

@@ -13,7 +13,7 @@ namespace {
 
 float sample_length() { return ImGui::GetFontSize() * 1.8f; }
 
-/// A short piece of line as the boxes have it, its middle at this height.
+/// A sample of a box's line style, its middle at this height.
 void paint_sample(const SpaceCanvas& canvas, ImVec2 at, const BoxLine& line) {
     const float length = sample_length();
     if (!line.dashed) {
@@ -28,7 +28,7 @@ void paint_sample(const SpaceCanvas& canvas, ImVec2 at, const BoxLine& line) {
     }
 }
 
-/// Words from `left` on, below `top`, on a ground of their own. Returns where they end.
+/// Draws words from `left` on, below `top`, on a background of their own. Returns where they end.
 float paint_words(const SpaceCanvas& canvas, Labels& labels, float left, float top, const std::string& words,
                   ImU32 color) {
     const float pad = ImGui::GetFontSize() * .3f, room = canvas.corner.x + static_cast<float>(canvas.camera.area.x);
@@ -55,7 +55,7 @@ BoxLine line_of(const SpaceCanvas& canvas, Passage passage) {
     const float width = line_width();
     if (passage == Passage::opened) return {palette.box, 1.9f * width, false};
     if (passage == Passage::met) return {palette.box, 1.5f * width, true};
-    // The more there are, the fainter is each; and fainter still behind those that are to be seen.
+    // The more boxes there are, the fainter is each; still fainter if others must stand out.
     const BoxesOnLevel* const shown = canvas.frame.boxes.shown();
     const double count = shown ? static_cast<double>(shown->drawn.size()) : 1;
     const double opacity = std::clamp(9 / std::sqrt(count), .25, .75) * (shown && shown->met > 0 ? .8 : 1);
@@ -99,7 +99,7 @@ float paint_box_legend(const SpaceCanvas& canvas, Labels& labels, float top) {
         float from = left;
         if (canvas.frame.boxes.shown()) {
             BoxLine line = line_of(canvas, passage);
-            if (passage == Passage::missed) line.color = canvas.frame.palette.faint_text;  // a single one must be seen
+            if (passage == Passage::missed) line.color = canvas.frame.palette.faint_text;  // must be visible
             paint_sample(canvas, {left, top + font / 2}, line);
             from += sample_length() + font * .5f;
         }

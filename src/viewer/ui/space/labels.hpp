@@ -6,16 +6,16 @@
 
 namespace glassbox {
 
-/// Puts words beside points so that they do not cover each other: the first asked for get the best places.
+/// Places words beside points so that they do not cover each other: the first ones get the best places.
 class Labels {
 public:
     Labels(ImDrawList& list, ImVec2 least, ImVec2 greatest, ImU32 ground)
         : list_(list), least_(least), greatest_(greatest), ground_(ground) {}
 
-    /// Keeps words from a place.
+    /// Keeps a rectangle free of words.
     void keep_free(ImVec2 least, ImVec2 greatest) { taken_.push_back({least.x, least.y, greatest.x, greatest.y}); }
 
-    /// Draws the words near the point, at least `gap` away; not at all where there is no room.
+    /// Draws the words near the point, at least `gap` away; not at all if there is no room.
     void put(ImVec2 point, float gap, const std::string& words, ImU32 color);
 
 private:

@@ -11,9 +11,9 @@ namespace glassbox {
 
 namespace {
 
-constexpr int cells = 12;  // of the picture, on each side: perspective is not linear, but nearly so within a cell
+constexpr int cells = 12;  // of the picture, on each side: perspective is nearly linear within a cell
 
-/// Something to draw, and how far before the eye it is.
+/// Something to draw, and its depth in front of the eye.
 struct Item {
     enum class Kind { part, sphere, cell, line, edge } kind;
     double depth;
@@ -51,7 +51,7 @@ void paint_part(const SpaceCanvas& canvas, const SurfacesInSpace::Part& part, do
         at[i] = canvas.on_screen(part.corners[i]);
     }
     const std::size_t color = canvas.surfaces.shown.spheres.size() + part.triangle;
-    // Seen from either side it is as bright.
+    // Both sides are equally bright.
     const Vec3<double> n = normal(canvas.surfaces.shown.triangles[part.triangle]);
     const Vec3<double> facing = towards(eye(canvas.camera) - part.corners[0], n);
     const double light = is_finite(n) ? brightness(canvas, facing) : 1;
@@ -61,7 +61,7 @@ void paint_part(const SpaceCanvas& canvas, const SurfacesInSpace::Part& part, do
             canvas.list.AddLine(at[i], at[(i + 1) % 3], edge_color(canvas, edge_opacity), line_width() * 0.7f);
 }
 
-/// Circles about a sphere's poles. Those on the far side shine through.
+/// Circles around a sphere's poles. Those on the far side shine through.
 void paint_latitudes(const SpaceCanvas& canvas, const Sphere<double>& sphere, int segments, bool near_side) {
     const Vec3<double> up = canvas.surfaces.upright.up, front = canvas.surfaces.upright.front;
     const Vec3<double> side = cross(up, front), to_eye = eye(canvas.camera) - sphere.c;
@@ -80,7 +80,7 @@ void paint_latitudes(const SpaceCanvas& canvas, const Sphere<double>& sphere, in
     }
 }
 
-/// The side of a sphere that the camera sees, in rings about the point nearest to it, with its true outline.
+/// The side of a sphere that the camera sees, in rings around the point nearest to it, with its exact outline.
 void paint_sphere(const SpaceCanvas& canvas, std::size_t index) {
     const Sphere<double>& sphere = canvas.surfaces.shown.spheres[index];
     const Rgb color = canvas.surfaces.colors[index];
@@ -163,7 +163,7 @@ Vec3<double> along(const LineInSpace& line, double part) {
     return part == 0 ? line.from : part == 1 ? line.to : line.from + part * (line.to - line.from);
 }
 
-/// Cuts a line into pieces that are sorted one by one, and leaves gaps if it is dashed. Far away they grow longer.
+/// Cuts a line into pieces that are sorted one by one, with gaps if it is dashed. Pieces far away are longer.
 void add_pieces(std::vector<Item>& items, const SpaceCanvas& canvas, std::size_t index) {
     const LineInSpace& line = canvas.drawing.lines[index];
     const double all = length(line.to - line.from);
@@ -182,7 +182,8 @@ void add_pieces(std::vector<Item>& items, const SpaceCanvas& canvas, std::size_t
     }
 }
 
-/// The edges of boxes as far as they are in sight, in pieces that are sorted one by one; of dashed ones every other.
+/// Returns the visible parts of the boxes' edges, in pieces that are sorted one by one; of dashed edges every other
+/// piece.
 std::vector<EdgePiece> edge_pieces(const SpaceCanvas& canvas) {
     std::vector<EdgePiece> pieces;
     if (!canvas.frame.boxes.shown()) return pieces;
@@ -303,7 +304,7 @@ std::optional<ImVec2> paint_arrow(const SpaceCanvas& canvas, const Vec3<double>&
 }
 
 void paint_sorted(const SpaceCanvas& canvas) {
-    // Smoothed edges would show as seams between the parts of a triangle.
+    // Anti-aliased edges would show as seams between the parts of a triangle.
     const ImDrawListFlags before = canvas.list.Flags;
     const double edge_opacity = canvas.surfaces.shown.triangles.size() > 200 ? 0.18 : 0.5;
     if (!canvas.frame.boxes.shown())

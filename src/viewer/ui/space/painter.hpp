@@ -4,7 +4,7 @@
 
 namespace glassbox {
 
-/// The place on the screen where the scene in space is drawn, and the camera that it is seen by.
+/// The area of the screen where the scene in space is drawn, and the camera that sees it.
 struct SpaceCanvas {
     const Frame& frame;
     const SurfacesInSpace& surfaces;
@@ -19,23 +19,23 @@ struct SpaceCanvas {
     }
 };
 
-/// The colour that the palette has for something.
+/// Returns the palette's colour for an ink.
 ImU32 color_of(const Palette& palette, Ink ink);
 
-/// The same colour with that part of its opacity.
+/// Returns the same colour with that part of its opacity.
 ImU32 faded(ImU32 color, double part);
 
 /// The usual width of a line, in pixels.
 float line_width();
 
 /// Draws surfaces, the picture, boxes and lines, the farthest first; then once more, faintly, all lines and the boxes
-/// that the pinned ray meets, so that none is lost.
+/// that the pinned ray meets, so that none is hidden.
 void paint_sorted(const SpaceCanvas& canvas);
 
-/// Draws a straight line as far as it is in sight.
+/// Draws the visible part of a straight line.
 void paint_line(const SpaceCanvas& canvas, const Vec3<double>& from, const Vec3<double>& to, ImU32 color, float width);
 
-/// Draws an arrow, and returns where its tip is on the screen; nowhere if it is behind the camera.
+/// Draws an arrow, and returns where its tip is on the screen; none if it is behind the camera.
 std::optional<ImVec2> paint_arrow(const SpaceCanvas& canvas, const Vec3<double>& from, const Vec3<double>& to,
                                   ImU32 color, float width);
 

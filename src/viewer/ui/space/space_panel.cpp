@@ -14,7 +14,7 @@ namespace glassbox {
 
 namespace {
 
-/// Points of the screen that the mouse can be on, with what is said of them.
+/// Points of the screen, with what is shown when the mouse is on them.
 struct Hint {
     ImVec2 at;
     std::string says;
@@ -24,7 +24,7 @@ void paint_light(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& h
     if (!canvas.drawing.has_light) return;
     const Ball& sight = canvas.drawing.sight;
     const Vec3<double> l = canvas.drawing.light, middle = canvas.camera.middle;
-    // As far out as it can be seen.
+    // As far out as it is visible.
     const auto seen = visible_part(canvas.camera, middle, middle + sight.radius * l);
     if (!seen) return;
     const Vec3<double> towards_sun = seen->second - middle, sun = middle + 0.85 * towards_sun;
@@ -63,7 +63,7 @@ void paint_axes(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& hi
 void paint_arrows(const SpaceCanvas& canvas, Labels& labels) {
     for (const ArrowInSpace& arrow : canvas.drawing.arrows) {
         if (!in_front(canvas.camera, arrow.from)) continue;
-        // The light's is longer: the half vector may lie on it.
+        // The light's arrow is longer: the half vector may lie on it.
         const double size =
             (arrow.ink == Ink::light ? 4 : 3.2) * ImGui::GetFontSize() * length_of_pixel(canvas.camera, arrow.from);
         const ImU32 color = color_of(canvas.frame.palette, arrow.ink);
@@ -90,7 +90,7 @@ void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& 
     }
 }
 
-/// What is not drawn, and that it is not.
+/// Says what is not drawn.
 std::string caption(const SurfacesInSpace& surfaces, bool with_mesh_boxes) {
     std::string text;
     const std::size_t spheres = surfaces.shown.spheres.size(), triangles = surfaces.shown.triangles.size();

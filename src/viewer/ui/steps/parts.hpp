@@ -4,7 +4,7 @@
 
 namespace glassbox {
 
-// The parts of the steps' page. Those with a frame alone need a timeline that is not empty, and state.step on it.
+// The parts of the steps page. Those that take only a frame need a timeline that is not empty, and state.step on it.
 
 void draw_transport(const Frame& frame);                                 ///< buttons, slider and speed
 void draw_event_list(const Frame& frame, float height);                  ///< the events around the current one
@@ -27,7 +27,7 @@ Sign sign_of(const Frame& frame, const Event& event);
 /// The text, or as much of it as fits, with "…" at its end.
 std::string fitting(const std::string& text, float width);
 
-/// What is drawn next stands on the same line, if there is room for something so wide.
+/// Continues on the same line, if there is room for this width.
 void same_line_if_fits(float width);
 
 }  // namespace glassbox

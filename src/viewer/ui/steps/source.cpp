@@ -12,7 +12,7 @@ namespace glassbox {
 
 namespace {
 
-/// Code in the text's colour, what is after // in a faint one.
+/// Draws code in the text's colour, and what follows // in a faint one.
 void draw_code(const Frame& frame, ImVec2 at, std::string_view line) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::size_t comment = std::min(line.find("//"), line.size());
@@ -46,7 +46,7 @@ void draw_lines(const Frame& frame, const std::vector<std::string_view>& text, s
         }
 }
 
-/// Scrolls a line to the middle when it has become another one, or another file's.
+/// Scrolls a line to the middle when the line or the file has changed.
 void follow(const SourceFile& file, std::size_t line) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("line");

@@ -7,7 +7,7 @@ namespace glassbox {
 
 namespace {
 
-/// The parts share what height there is, but none gets so low that it cannot be read: then the page scrolls.
+/// The parts share the available height, but none gets too low to be read: then the page scrolls.
 void draw_timeline_page(const Frame& frame) {
     const Event& event = frame.results.timeline[frame.state.step];
     draw_transport(frame);

@@ -38,7 +38,7 @@ void draw_event(const Frame& frame, std::size_t number) {
     ImGui::TextUnformatted(sign.text);
     ImGui::PopStyleColor();
     const float first = left + 1.4f * em;
-    const bool both = event.place && !event.formula.empty() && width > 22 * em;  // else the formula stands below only
+    const bool both = event.place && !event.formula.empty() && width > 22 * em;  // else the formula is below only
     const float middle = both ? left + .48f * width : left + width;
     ImGui::SameLine(first);
     ImGui::TextUnformatted(fitting(event.what, middle - first - .4f * em).c_str());
@@ -49,7 +49,7 @@ void draw_event(const Frame& frame, std::size_t number) {
     ImGui::PopStyleColor();
 }
 
-/// The current event is brought to the middle when it has become another one.
+/// Scrolls the current event to the middle when it has changed.
 void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("shown");

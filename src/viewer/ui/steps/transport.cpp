@@ -13,7 +13,7 @@ namespace {
 
 enum class Icon { first, back, play, pause, forward, last };
 
-/// Drawn, and not text: the fonts do not have these signs.
+/// Drawn as shapes, because the fonts do not have these signs.
 void draw_icon(Icon icon, ImVec2 middle, float r, ImU32 color) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto triangle = [&](float from, float to) {  // its tip at `to`

@@ -15,7 +15,7 @@ namespace {
 
 using story::StoryStep;
 
-/// Behind a number that is printed so: how far it can be, and is, from the truth.
+/// Follows a number printed like this: how far it can be, and is, from the truth.
 std::string how_true(std::string_view printed, const Checked& number) {
     std::string text = bound(printed, number);
     if (number.known == Known::not_at_all) return text + ", its true value is not known";
@@ -37,7 +37,7 @@ void number_row(const Frame& frame, const std::string& name, const Checked& numb
     draw_wrapped(frame.palette.faint_text, truth);
 }
 
-/// What a comparison says, and whether that is true.
+/// Draws the result of a comparison, and whether that is true.
 void draw_answer(const Frame& frame, const Checked& answer) {
     const bool holds = answer.value != 0;
     std::string text = holds ? "✓ yes" : "✗ no";

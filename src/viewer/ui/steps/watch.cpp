@@ -13,7 +13,7 @@ namespace glassbox {
 
 namespace {
 
-/// The pixel that comes next; none when all are shown.
+/// Returns the next pixel; none when all are shown.
 std::optional<LoopPlace> place_now(const ViewerState& state) {
     if (!state.watching.on || state.watching.shown >= pixels(state)) return {};
     return loop_place(static_cast<std::size_t>(state.watching.shown), state.scene->height);

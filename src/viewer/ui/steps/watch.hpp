@@ -3,7 +3,7 @@
 
 namespace glassbox {
 
-/// Where the watched loops are, on the picture in the area whose corner this is: its column, and its pixel.
+/// Marks where the watched loops are, on the picture in the area with this corner: the column, and the pixel.
 void draw_watched_place(const Frame& frame, ImDrawList& list, ImVec2 corner);
 
 }  // namespace glassbox

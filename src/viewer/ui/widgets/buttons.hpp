@@ -3,7 +3,7 @@
 
 namespace glassbox {
 
-/// A line about the item before, while the mouse is on it.
+/// A tooltip for the previous item.
 inline void tip(const char* text) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
@@ -16,7 +16,7 @@ inline bool toggle(const char* label, bool on) {
     return clicked;
 }
 
-/// A button that cannot be pressed now is still there, greyed.
+/// A button that is greyed out while it cannot be pressed.
 inline bool button_if(bool possible, const char* label) {
     if (!possible) ImGui::BeginDisabled();
     const bool clicked = ImGui::Button(label);
@@ -24,7 +24,7 @@ inline bool button_if(bool possible, const char* label) {
     return clicked;
 }
 
-/// The next item, a button with that label, goes on the same line if there is room, else on the next one.
+/// Puts the next item, a button with that label, on the same line if there is room, else on the next one.
 inline void flow(const char* label, float spacing = -1) {
     const ImGuiStyle& style = ImGui::GetStyle();
     if (spacing < 0) spacing = style.ItemSpacing.x;

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-/// A change by one click.
+/// Applies a change made by one click.
 template <class Change>
 void change_setup(ViewerState& state, const Change& change) {
     Setup setup = state.setup.now();
@@ -15,7 +15,7 @@ void change_setup(ViewerState& state, const Change& change) {
     state.setup.change(std::move(setup));
 }
 
-/// A change by the item that was just drawn: all of one drag, or of one time that a number is typed, is one undo step.
+/// Applies a change made by the item that was just drawn: one drag, or one number typed, is one undo step.
 template <class Change>
 void drag_setup(ViewerState& state, const Change& change) {
     if (ImGui::IsItemActivated()) state.setup.end_drag();
@@ -31,14 +31,15 @@ struct Range {
     bool logarithmic = false;
 };
 
-/// Whether the item's second click is being held: it means "as the scene says", not a place on the slider.
+/// Whether the second click of a double click is being held: it means "as the scene says", not a position on the
+/// slider.
 inline bool is_double_clicked() {
     return ImGui::IsItemActive() && ImGui::GetIO().MouseDown[0] && ImGui::GetIO().MouseClickedLastCount[0] >= 2;
 }
 
 /// A slider with its label on the right, for the number that `get(setup)` refers to. A double click, or the button that
-/// stands there when it differs, gives back `own`, the scene's own value. With Ctrl a number can be typed, beyond the
-/// slider's ends too, from 0 on.
+/// appears when it differs, restores `own`, the scene's own value. With Ctrl a number can be typed, also beyond the
+/// slider's ends, from 0 on.
 template <class Get>
 void setup_slider(ViewerState& state, const char* label, double own, const Range& range, const Get& get) {
     ImGui::PushID(label);
@@ -69,7 +70,7 @@ void setup_slider(ViewerState& state, const char* label, double own, const Range
     ImGui::PopID();
 }
 
-/// A list of the names in a table, each with its line of help; `choose(value)` is called when another one is chosen.
+/// A list of the names in a table, each with its line of help; calls `choose(value)` when another one is chosen.
 template <class Table, class Choose>
 void choice(const Frame& frame, const char* label, const Table& table, std::string_view present, const Choose& choose) {
     const float font = ImGui::GetFontSize();

@@ -4,8 +4,8 @@ namespace glassbox {
 
 namespace {
 
-// Okabe and Ito's colours, "Color Universal Design" (2008), which people with any colour vision tell apart; the darker
-// ones of a pair stand on light ground.
+// Okabe and Ito's colours, "Color Universal Design" (2008), which people with any colour vision can tell apart; the
+// darker ones of a pair are for light backgrounds.
 constexpr Palette on_dark{
     .passed = IM_COL32(0, 190, 140, 255),
     .failed = IM_COL32(240, 110, 40, 255),

@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-/// Colours with a meaning. Whatever is told by colour is told by a sign or a word, too: ✓ and ✗, say.
+/// Colours with a meaning. Colour is never the only sign: there is a symbol or a word, too, such as ✓ and ✗.
 struct Palette {
     ImU32 passed, failed;  ///< green and red that the colour-blind can tell apart
     ImU32 warning;         ///< something needs attention
@@ -17,7 +17,7 @@ struct Palette {
     ImU32 box;      ///< a box of the engine's that the pinned ray meets
 };
 
-/// Sets Dear ImGui's style, for this size of text in pixels, and returns the colours that go with it.
+/// Sets Dear ImGui's style for this text size in pixels, and returns the colours that go with it.
 Palette apply_theme(const Appearance& appearance, float text_size);
 
 }  // namespace glassbox

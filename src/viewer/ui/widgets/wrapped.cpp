@@ -8,10 +8,10 @@ namespace {
 
 float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
-/// One line, whose breaks are where spaces were.
+/// Wraps one line, at spaces only.
 std::string wrapped_line(std::string_view line, float room) {
     std::string result(line);
-    std::size_t begin = 0, last_space = std::string::npos;  // of the present part; where it could end
+    std::size_t begin = 0, last_space = std::string::npos;  // of the current part; where it could end
     for (std::size_t i = 0; i <= result.size(); ++i) {
         if (i < result.size() && result[i] != ' ') continue;
         const bool too_wide = width_of(std::string_view(result).substr(begin, i - begin)) > room;

@@ -6,12 +6,12 @@
 
 namespace glassbox {
 
-/// The text in lines at most as wide as the room that is left, broken between words only: Dear ImGui's own wrapping
-/// breaks after every dot, within 11.9973, too. A single word may be wider.
+/// Returns the text in lines at most as wide as the room that is left, broken between words only: Dear ImGui's own
+/// wrapping breaks after every dot, also within 11.9973. A single word may be wider.
 std::string wrapped(std::string_view text);
 std::string wrapped(std::string_view text, float room);
 
-/// Draws it.
+/// Draws the wrapped text.
 void draw_wrapped(std::string_view text);
 void draw_wrapped(ImU32 color, std::string_view text);
 
