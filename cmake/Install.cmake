@@ -10,7 +10,7 @@ install(FILES src/learn/picture/renderer.cpp DESTINATION ${data}/src/learn/pictu
 install(DIRECTORY src/learn/check/runner DESTINATION ${data}/src/learn/check FILES_MATCHING PATTERN "*.cpp")
 install(DIRECTORY tests/stages tests/support DESTINATION ${data}/tests FILES_MATCHING PATTERN "*.hpp" PATTERN "stage*.cpp")
 
-install(FILES README.md LICENSE CHANGELOG.md THIRD-PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md THIRD-PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES packaging/glassbox.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
