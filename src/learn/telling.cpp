@@ -78,7 +78,7 @@ std::string joined(const std::vector<std::string>& texts) { return fmt::format("
 std::string place_of(const Workspace& workspace, const Exercise& exercise, const Function& function) {
     const fs::path path = workspace.header(exercise, function.header);
     const std::size_t line =
-        line_of_function(content_of(path), content_of(exercise.starter(function.header)), function.name);
+        line_of_function(content_of(path), workspace.starter(exercise, function.header), function.name);
     return line == 0 ? shown(path) : fmt::format("{}:{}", shown(path), line);
 }
 

@@ -12,6 +12,7 @@
 #include "learn/check/judgement.hpp"
 #include "learn/check/test_report.hpp"
 #include "learn/course/progress.hpp"
+#include "learn/course/starter.hpp"
 #include "learn/course/workspace.hpp"
 #include "learn/learner.hpp"
 #include "learn/telling.hpp"
@@ -44,6 +45,7 @@ tests = ["the normal points"]
 question = "Which way is up?"
 formula = "(p - c)/|p - c|"
 line = "return unit(point - sphere.c);"
+returns = "Vec3<Real>"
 )";
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {
@@ -361,6 +363,30 @@ TEST_CASE("progress is kept; a memory that cannot be read is set aside with a wo
     }
 }
 
+TEST_CASE("a starter is cut from the solution: the body goes, and the comments that it begins with; the rest stays") {
+    Exercise exercise;
+    exercise.headers = {"sphere.hpp"};
+    exercise.functions = {{.name = "normal",
+                           .header = "sphere.hpp",
+                           .tests = {},
+                           .hints = {"", "", "const P q = p;\nreturn q;"},
+                           .returns = "P",
+                           .turn = "up",
+                           .place = {"exercise.toml", 8, 1}}};
+    const std::string solution =
+        "#pragma once\n#include <cmath>\n\n#include <vec3.hpp>\n\n/// Up.\nP normal(P p) {\n    // why\n    const P q "
+        "= p;  // so\n"
+        "    // and\n    return q;\n}\n";
+    CHECK(starter_from(solution, exercise, "sphere.hpp") ==
+          "#pragma once\n#include <cmath>\n\n#include <not_written.hpp>\n#include <vec3.hpp>\n\n/// Up.\nP normal(P p) "
+          "{\n"
+          "    // Your turn: up\n    return not_written<P>(\"normal\");\n}\n");
+    const std::string without = "P normal(P p) {\n    return p;\n}\n";
+    CHECK(message_of<Error>([&] {
+              starter_from(without, exercise, "sphere.hpp");
+          }).find("exercise.toml:8:1: error: the line of normal is not its body in sphere.hpp") != std::string::npos);
+}
+
 TEST_CASE("starters are made once; what a learner wrote is never lost") {
     const Folder folder;
     const Workspace workspace = open_workspace(ROOT, folder / "my");
@@ -372,7 +398,7 @@ TEST_CASE("starters are made once; what a learner wrote is never lost") {
     CHECK(make_starters(workspace, exercise));
     CHECK_FALSE(make_starters(workspace, exercise));
     const fs::path header = workspace.header(exercise, "sphere.hpp");
-    CHECK(content(header) == content(exercise.starter("sphere.hpp")));
+    CHECK(content(header) == workspace.starter(exercise, "sphere.hpp"));
     CHECK(reset(workspace, exercise).empty());  // nothing was changed
     std::ofstream(header) << "first";
     CHECK(reset(workspace, exercise) == std::vector<fs::path>{header.string() + ".1"});
@@ -380,7 +406,7 @@ TEST_CASE("starters are made once; what a learner wrote is never lost") {
     CHECK(reset(workspace, exercise) == std::vector<fs::path>{header.string() + ".2"});
     CHECK(content(header.string() + ".1") == "first");
     CHECK(content(header.string() + ".2") == "second");
-    CHECK(content(header) == content(exercise.starter("sphere.hpp")));
+    CHECK(content(header) == workspace.starter(exercise, "sphere.hpp"));
 }
 
 TEST_CASE(

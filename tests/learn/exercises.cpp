@@ -68,7 +68,7 @@ TEST_CASE("the starter is the solution, but for what is to be written") {
         CAPTURE(header);
         const std::vector<std::string> solution = lines_of(read_text(all.solution(exercise, header)));
         auto at = solution.begin();
-        for (const std::string& line : lines_of(read_text(exercise.starter(header)))) {
+        for (const std::string& line : lines_of(all.starter(exercise, header))) {
             const std::string code = without_indent(line);
             if (code == "#include <not_written.hpp>" || code.starts_with("// Your turn")) continue;
             if (const std::size_t call = code.find("not_written<"); call != std::string::npos) {
@@ -85,7 +85,7 @@ TEST_CASE("the starter is the solution, but for what is to be written") {
     std::set<std::string> functions;
     for (const Function& function : exercise.functions) {
         functions.insert(function.name);
-        CHECK(read_text(exercise.starter(function.header)).find('"' + function.name + '"') != std::string::npos);
+        CHECK(all.starter(exercise, function.header).find('"' + function.name + '"') != std::string::npos);
     }
     CHECK(asked_for == functions);
 }
@@ -96,7 +96,7 @@ TEST_CASE("each function is found in the starter and, where it is written, in th
     std::set<std::pair<std::string, std::size_t>> begins;
     for (const Function& function : exercise.functions) {
         CAPTURE(function.name);
-        const std::string starter = read_text(exercise.starter(function.header));
+        const std::string starter = all.starter(exercise, function.header);
         const std::string solution = read_text(all.solution(exercise, function.header));
         const std::size_t to_write = line_of_function(starter, starter, function.name);
         REQUIRE(to_write > 0);

@@ -116,7 +116,7 @@ TEST_CASE("what is not begun, deleted or not written is told, and how to go on")
           std::string::npos);
 
     for (const std::string& header : spheres.headers)
-        learner.write(spheres, header, test::content(spheres.starter(header)));
+        learner.write(spheres, header, learner.workspace.starter(spheres, header));
     update = learner.draw(spheres, scene, in_double(2));
     CHECK(update.stand == Stand::not_written);
     CHECK(update.spot == std::nullopt);  // it is the same at every pixel

@@ -64,7 +64,7 @@ OwnPicture own_picture(const Value& value) {
 }
 
 Function read_function(const Section& section, const std::vector<std::string>& headers) {
-    section.expect_keys({"name", "header", "tests", "question", "formula", "line"});
+    section.expect_keys({"name", "header", "tests", "question", "formula", "line", "returns", "turn"});
     Function function;
     function.name = text_with_something(section.at("name", "name = \"cross\""));
     function.header = header_name(section.at("header", "header = \"vec3.hpp\""), headers);
@@ -72,6 +72,9 @@ Function read_function(const Section& section, const std::vector<std::string>& h
     function.hints[0] = text_with_something(section.at("question", "question = \"What is …?\""));
     function.hints[1] = text_with_something(section.at("formula", "formula = \"|a| = √(a·a)\""));
     function.hints[2] = text_with_something(section.at("line", "line = \"return sqrt(dot(a, a));\""));
+    function.returns = text_with_something(section.at("returns", "returns = \"Real\""));
+    function.turn = section.get("turn", text, std::string());
+    function.place = place(section.at("name", ""));
     return function;
 }
 

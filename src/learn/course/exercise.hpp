@@ -13,7 +13,10 @@ struct Function {
     std::string name;                ///< as in not_written("nearest")
     std::string header;              ///< the file that it is in
     std::vector<std::string> tests;  ///< a test case whose name contains one of these tests it
-    std::string hints[3];            ///< a question, the formula, the line of code
+    std::string hints[3];            ///< a question, the formula, the line of code: the whole body
+    std::string returns;             ///< its type: not_written<Roots<Real>>("Textbook")
+    std::string turn;                ///< what stands above it in the starter: "// Your turn: …"; may be empty
+    Place place;                     ///< where exercise.toml has it
 };
 inline constexpr int hint_tiers = 3;
 
@@ -35,8 +38,6 @@ struct Exercise {
     int stage = 0;                     ///< of its pictures
     OwnPicture own_picture = OwnPicture::in_double;
     std::vector<Function> functions;  ///< in the order of writing
-
-    std::filesystem::path starter(const std::string& header) const { return lesson / "starter" / header; }
 };
 
 /// A classic mistake: a small patch of the solution.

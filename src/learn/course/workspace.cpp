@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <span>
 
+#include "learn/course/starter.hpp"
 #include "output/whole_file.hpp"
 #include "scene/shipped.hpp"
 #include "scene/suggestion.hpp"
@@ -37,6 +38,10 @@ fs::path find_root(const fs::path& here) {
 void write_text(const fs::path& path, const std::string& text) { write_whole(path, std::as_bytes(std::span(text))); }
 
 }  // namespace
+
+std::string Workspace::starter(const Exercise& exercise, const std::string& name) const {
+    return starter_from(read_text(solution(exercise, name)), exercise, name);
+}
 
 Workspace open_workspace(const fs::path& here, const fs::path& folder) {
     std::error_code none;
@@ -94,7 +99,7 @@ bool make_starters(const Workspace& workspace, const Exercise& exercise) {
     // All or nothing: made under a temporary name first.
     const fs::path making = workspace.hidden() / fmt::format("new-{}-{}", exercise.name, ::getpid());
     make_folder(making);
-    for (const std::string& header : exercise.headers) write_text(making / header, read_text(exercise.starter(header)));
+    for (const std::string& header : exercise.headers) write_text(making / header, workspace.starter(exercise, header));
     fs::rename(making, folder, failed);
     if (!failed) return true;
     const std::string why = failed.message();
@@ -127,7 +132,7 @@ fs::path replace_header(const Workspace& workspace, const Exercise& exercise, co
 std::vector<fs::path> reset(const Workspace& workspace, const Exercise& exercise) {
     std::vector<fs::path> kept;
     for (const std::string& header : exercise.headers) {
-        fs::path one = replace_header(workspace, exercise, header, read_text(exercise.starter(header)));
+        fs::path one = replace_header(workspace, exercise, header, workspace.starter(exercise, header));
         if (!one.empty()) kept.push_back(std::move(one));
     }
     return kept;

@@ -40,6 +40,8 @@ struct Workspace {
     std::filesystem::path solution(const Exercise& exercise, const std::string& name) const {
         return solutions_of(exercise) / name;
     }
+    /// The text of a header that a learner begins with. Throws Error.
+    std::string starter(const Exercise& exercise, const std::string& name) const;
 };
 
 /// Returns the workspace of a program that runs in `here`: the project is the nearest folder above that has lessons, or

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 bool is_begun(const Workspace& workspace, const Exercise& exercise) {
     return std::ranges::any_of(exercise.headers, [&](const std::string& header) {
         const std::string written = content_of(workspace.header(exercise, header));
-        return !written.empty() && written != content_of(exercise.starter(header));
+        return !written.empty() && written != workspace.starter(exercise, header);
     });
 }
 
