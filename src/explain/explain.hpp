@@ -15,7 +15,4 @@ enum class Detail {
 /// too, where the job brings their engine.
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole, Job job = {});
 
-/// What kind of surface has that number.
-story::Kind kind_of(const Scene& scene, std::size_t number);
-
 }  // namespace glassbox

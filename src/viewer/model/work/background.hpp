@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "learn/picture/maker.hpp"
 #include "viewer/model/state/state.hpp"
 #include "viewer/model/work/kept_engine.hpp"
 #include "viewer/model/work/latest.hpp"

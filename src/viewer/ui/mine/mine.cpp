@@ -16,8 +16,8 @@ namespace {
 using learn::mine::PictureUpdate;
 using learn::mine::Stand;
 
-void pin(ViewerState& state, learn::mine::Spot spot) {
-    state.pinned = Pixel{spot.x, spot.y};
+void pin(ViewerState& state, Pixel pixel) {
+    state.pinned = pixel;
     state.step = 0;
     state.playing = false;
 }
