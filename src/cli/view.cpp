@@ -77,7 +77,7 @@ void run(const ViewRequest& request) {
     state.scene_menu.folder = shipped_scenes();
     if (!request.pixel.empty()) {
         const auto [x, y] = pixel("--pixel", request.pixel, *state.scene);
-        state.pinned = Pixel{x, y};
+        pin(state, Pixel{x, y});
     }
     if (!request.overlay.empty()) {
         state.overlay.measurement = measurement("--overlay", request.overlay).name;

@@ -298,10 +298,7 @@ const Command commands[] = {
      }},
     {"pin", "pin X,Y | none", 1, 1,
      [](const Words& w) {
-         return change([at = pixel_or_none("pin", w[1])](ViewerState& state) {
-             state.pinned = on_picture(state, at);
-             state.step = 0;
-         });
+         return change([at = pixel_or_none("pin", w[1])](ViewerState& state) { pin(state, on_picture(state, at)); });
      }},
     {"compare", "compare X,Y | none", 1, 1,
      [](const Words& w) {

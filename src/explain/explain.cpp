@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "explain/hit_story.hpp"
+#include "explain/surface_kind.hpp"
 #include "explain/surface_story.hpp"
 #include "explain/traced_pixel.hpp"
 #include "render/search/build_engine.hpp"
@@ -31,11 +32,6 @@ void tell_surfaces(Story& story, const Scene& scene, const engine::Engine& surfa
 }
 
 }  // namespace
-
-story::Kind kind_of(const Scene& scene, std::size_t number) {
-    if (number < scene.spheres.size()) return story::Kind::sphere;
-    return number < scene.spheres.size() + scene.triangles.size() ? story::Kind::triangle : story::Kind::mesh_face;
-}
 
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail, Job job) {
     if (!job.engine) job.engine = build_engine(scene, options.stage, job.threads);

@@ -15,7 +15,4 @@ enum class Detail {
 /// too, if the job provides their engine.
 Story explain(const Scene& scene, const Options& options, int x, int y, Detail detail = Detail::whole, Job job = {});
 
-/// The kind of the surface with that number.
-story::Kind kind_of(const Scene& scene, std::size_t number);
-
 }  // namespace glassbox

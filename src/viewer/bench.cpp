@@ -98,7 +98,7 @@ struct PassingFolder {
 Quickness quickness(ViewerState state, WindowSize size) {
     constexpr int frames = 120, turns = 7;
     const Pixel first{state.scene->width / 2, state.scene->height / 2};
-    state.pinned = first;
+    pin(state, first);
     HiddenViewer viewer(std::move(state), size);
     viewer.settle();
 
@@ -114,7 +114,7 @@ Quickness quickness(ViewerState state, WindowSize size) {
     for (int i = 0; i < turns; ++i) {
         // Never the pixel that is pinned already: its story is there.
         const Pixel next{first.x / 2 + i % 2, first.y};
-        pinned.push_back(time_until_new(viewer, &Results::story_serial, [&] { viewer.state().pinned = next; }));
+        pinned.push_back(time_until_new(viewer, &Results::story_serial, [&] { pin(viewer.state(), next); }));
         changed.push_back(time_until_new(viewer, &Results::picture_serial, [&] { move_light(viewer.state()); }));
     }
     const Turning turning = turn_for_a_while(viewer);

@@ -233,7 +233,7 @@ inline void hostile() {
         const PictureUpdate update = end(kind);
         CHECK(update.stand == Stand::failed);
         CHECK(update.words == words);
-        CHECK(update.spot == Spot{240, 128});
+        CHECK(update.spot == Pixel{240, 128});
         REQUIRE(update.drawing);
         // The coarse pixels before it, 16 apart, are drawn: 8 rows of 32, and 15 of the ninth. (0, 0) lies on the
         // border.
@@ -243,11 +243,11 @@ inline void hostile() {
     }
     const PictureUpdate print = end("print");
     CHECK(print.stand == Stand::failed);
-    CHECK(print.spot == Spot{240, 128});
+    CHECK(print.spot == Pixel{240, 128});
     CHECK(print.words.find("without ending: an endless loop") != std::string::npos);  // by time, or by output
     CHECK(print.said.find("I am here, and here") == 0);
     const PictureUpdate memory = end("memory");
-    CHECK(memory.spot == Spot{240, 128});
+    CHECK(memory.spot == Pixel{240, 128});
     CHECK(memory.words.find("at pixel (240, 128) it asked for more memory than it may have (10") == 0);
     const PictureUpdate fine = end("say");
     CHECK(fine.stand == Stand::drawn);
@@ -274,7 +274,7 @@ TEST_CASE("numbers that are none are counted, and their pixels known") {
     const auto hit =
         std::count_if(ours.pixels.begin(), ours.pixels.end(), [&](Rgb c) { return c != scene.background; });
     CHECK(update.drawing->not_numbers == hit);
-    CHECK(update.spot == Spot{350, 99});
+    CHECK(update.spot == Pixel{350, 99});
     CHECK(update.words ==
           std::to_string(hit) + " pixels are made of something that is not a number (NaN), the first at (350, 99)");
     CHECK(update.drawing->states[350 + 500 * 99] == SheetPixel::not_a_number);

@@ -143,7 +143,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     viewer.settle();
     CHECK(mine->stand == Stand::failed);
     CHECK(mine->words == "at pixel (20, 16) it followed a null pointer (address 0x0)");
-    CHECK(mine->spot == learn::mine::Spot{20, 16});
+    CHECK(mine->spot == Pixel{20, 16});
     REQUIRE(mine->drawing);
     CHECK(other.image.get() == &mine->drawing->image);
     CHECK(other.factor == 2);  // not all of it is there

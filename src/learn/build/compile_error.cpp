@@ -416,14 +416,4 @@ Error error_in_ours(const Outcome& compilation, const fs::path& source) {
                     fmt::format("cannot be compiled: {}. This is no mistake of yours. {}", error->message, what_to_do));
 }
 
-std::string with_caret(const CompileError& error) {
-    const std::string before = printable_lines(std::string_view(error.source).substr(0, error.place.column - 1));
-    std::string caret;
-    for (const char c : error.place.column == 0 ? "" : before) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xC0u) != 0x80u) caret += byte == '\t' ? '\t' : ' ';  // a multi-byte character is one column wide
-    }
-    return printable_lines(error.source) + '\n' + caret + '^';
-}
-
 }  // namespace glassbox::learn

@@ -2,24 +2,13 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "learn/build/first_error.hpp"
 #include "learn/subprocess/subprocess.hpp"
 #include "scene/error.hpp"
 
 namespace glassbox::learn {
-
-/// Why a program could not be compiled: the one error to fix first.
-struct CompileError {
-    Place place;          ///< in the learner's own file, if any error leads there; an absolute path
-    bool yours = false;   ///< whether it is in the learner's own file
-    bool ours = false;    ///< whether the fault is ours, whatever the learner's file contains
-    std::string source;   ///< that line of the file
-    std::string message;  ///< the compiler's words; empty if they do not help
-    std::string plain;    ///< what they mean and what to do, for the common ones
-    int others = 0;       ///< how many more errors there are
-};
 
 /// The learner's files that may be at fault.
 struct OwnHeaders {
@@ -45,9 +34,5 @@ CompileError with_its_cause(CompileError error, const std::function<std::optiona
 /// Returns an Error, of one line, for a file of ours that includes no header of a learner's. `source` is what was to be
 /// compiled.
 Error error_in_ours(const Outcome& compilation, const std::filesystem::path& source);
-
-/// Returns the line of source with a caret under the column: two printable lines. Tabs stay tabs, so that the caret is
-/// in the right place.
-std::string with_caret(const CompileError& error);
 
 }  // namespace glassbox::learn

@@ -85,7 +85,7 @@ Drawing read(const SheetPixel* pixels, const Scene& scene) {
     for (std::size_t i = 0; i < all; ++i) {
         const SheetPixel pixel = pixels[i];
         const auto width = static_cast<std::size_t>(scene.width);
-        const Spot spot{static_cast<int>(i % width), static_cast<int>(i / width)};
+        const Pixel spot{static_cast<int>(i % width), static_cast<int>(i / width)};
         switch (pixel.state) {
             case SheetPixel::drawn:
                 break;
@@ -171,7 +171,7 @@ Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Opti
     drawn.not_written = sheet.not_written != 0;
     if (drawn.at == Stage::pixels)
         drawn.spot =
-            Spot{std::clamp(sheet.x.load(), 0, scene.width - 1), std::clamp(sheet.y.load(), 0, scene.height - 1)};
+            Pixel{std::clamp(sheet.x.load(), 0, scene.width - 1), std::clamp(sheet.y.load(), 0, scene.height - 1)};
     return drawn;
 }
 

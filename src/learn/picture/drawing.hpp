@@ -1,45 +1,25 @@
 #pragma once
-#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
+#include "learn/picture/picture_update.hpp"
 #include "learn/picture/sheet.hpp"
 #include "learn/subprocess/subprocess.hpp"
-#include "render/image.hpp"
 #include "render/options.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox::learn::mine {
-
-/// A pixel, from the top left.
-struct Spot {
-    int x = 0, y = 0;
-
-    bool operator==(const Spot&) const = default;
-};
-
-/// What a learner's renderer has drawn, perhaps only part of the picture. A pixel that is not drawn yet has the colour
-/// of the pixel of a coarser picture that covers it, if there is one, or else is black.
-struct Drawing {
-    Image image;
-    std::vector<SheetPixel::State> states;  ///< what became of each pixel, as `image` has them
-    std::int64_t drawn = 0;
-    std::int64_t not_numbers = 0;            ///< of those drawn: made of something that is not a number
-    std::optional<Spot> first_not_a_number;  ///< from the top left
-    std::int64_t undecided = 0;              ///< of those drawn: bounds left open what is seen there
-    std::optional<Spot> first_undecided;     ///< from the top left
-};
 
 /// How the drawing ended.
 struct Drawn {
     std::shared_ptr<const Drawing> drawing;
     Outcome outcome;
     Stage at = Stage::starting;  ///< how far it came
-    std::optional<Spot> spot;    ///< the pixel that it was at when it ended before it was done
+    std::optional<Pixel> spot;   ///< the pixel that it was at when it ended before it was done
     bool not_written = false;    ///< it ended because a function is not written yet: the last words say which
 };
 

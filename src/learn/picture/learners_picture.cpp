@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "learn/build/compile_error.hpp"
 #include "learn/check/test_run.hpp"
 #include "scene/error.hpp"
 #include "scene/printable.hpp"

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <stop_token>
 
-#include "learn/build/compile_error.hpp"
+#include "learn/build/first_error.hpp"
 #include "learn/build/toolchain.hpp"
 #include "render/image.hpp"
 

@@ -9,9 +9,11 @@
 #include <utility>
 #include <variant>
 
+#include "learn/build/compile_error.hpp"
 #include "learn/build/headers.hpp"
 #include "learn/check/test_run.hpp"
 #include "learn/course/progress.hpp"
+#include "learn/picture/drawing.hpp"
 #include "render/job.hpp"
 #include "render/option_names.hpp"
 #include "scene/text_file.hpp"

@@ -143,7 +143,7 @@ void split_triangles(SurfacesInSpace& result) {
 
 Vec3<double> values(const story::Vector& v) { return {v.x.value, v.y.value, v.z.value}; }
 
-std::string triple(const Vec3<double>& v) {
+std::string point_text(const Vec3<double>& v) {
     return fmt::format("({}, {}, {})", legend_number(v.x), legend_number(v.y), legend_number(v.z));
 }
 
@@ -189,7 +189,7 @@ void draw_view(Drawer& drawer, bool with_name_of_eye) {
         for (const Vec3<double>& c : corner) drawer.line(pinhole->eye, c, Ink::faint);
         if (with_name_of_eye)
             drawer.label(pinhole->eye, "eye", Ink::faint, true,
-                         "The eye, where all rays start: " + triple(pinhole->eye));
+                         "The eye, where all rays start: " + point_text(pinhole->eye));
     }
 }
 
@@ -233,7 +233,7 @@ void draw_ray(Drawer& drawer, const Story& story, Ink ink, const char* name) {
     if (!met.empty()) drawer.line(at(story.ray, first), at(story.ray, end), ink, 1.5, true);
 
     drawer.label(P, name, ink, true,
-                 fmt::format("{}, where the ray of pixel {}, {} starts: {}", name, story.x, story.y, triple(P)));
+                 fmt::format("{}, where the ray of pixel {}, {} starts: {}", name, story.x, story.y, point_text(P)));
     const PictureInSpace& picture = drawer.result.picture;
     if (picture.t > 0)
         drawer.label(at(story.ray, picture.t), "", ink, true, fmt::format("Pixel {}, {}", story.x, story.y));

@@ -32,9 +32,8 @@ void move_pin(State& state, const Results&, const KeyPress& press) {
     if (!state.pinned) return;
     const int by = press.shift ? 10 : 1;
     const auto [x, y] = *state.pinned;
-    state.pinned =
-        Pixel{std::clamp(x + by * dx, 0, state.scene->width - 1), std::clamp(y + by * dy, 0, state.scene->height - 1)};
-    state.step = 0;
+    pin(state,
+        Pixel{std::clamp(x + by * dx, 0, state.scene->width - 1), std::clamp(y + by * dy, 0, state.scene->height - 1)});
     if (!state.fit) state.view = showing(state.view, *state.pinned, state.area);
 }
 

@@ -1,17 +1,11 @@
 #pragma once
+#include "render/pixel.hpp"
 
 namespace glassbox {
 
 /// A point, or a distance, on the screen or on a picture.
 struct Point {
     double x = 0, y = 0;
-};
-
-/// A pixel of the picture: (0, 0) is the top-left one.
-struct Pixel {
-    int x = 0, y = 0;
-
-    bool operator==(const Pixel&) const = default;
 };
 
 /// How a picture lies in the area where it is shown. Positions on the picture count in pixels: pixel (x, y) covers

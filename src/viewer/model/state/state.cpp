@@ -41,6 +41,12 @@ void list_scenes(SceneMenu& menu) {
               [](const ListedScene& a, const ListedScene& b) { return a.file < b.file; });
 }
 
+void pin(ViewerState& state, const std::optional<Pixel>& pixel) {
+    state.pinned = pixel;
+    state.step = 0;
+    state.playing = false;
+}
+
 void reload(ViewerState& state) {
     try {
         auto scene = std::make_shared<const Scene>(read_scene(state.file));

@@ -124,6 +124,9 @@ struct ViewerState {
     Appearance appearance;
 };
 
+/// Pins a pixel, or none: its timeline is at its beginning and does not play.
+void pin(ViewerState& state, const std::optional<Pixel>& pixel);
+
 /// Returns a state with the scene of a file opened. Throws Error if it cannot be read.
 ViewerState opened(const std::filesystem::path& file);
 

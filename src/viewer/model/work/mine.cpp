@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "learn/course/progress.hpp"
-#include "learn/picture/maker.hpp"
 #include "scene/error.hpp"
 #include "viewer/model/state/state.hpp"
 

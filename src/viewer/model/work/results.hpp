@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "explain/story.hpp"
-#include "learn/picture/maker.hpp"
+#include "learn/picture/picture_update.hpp"
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"

@@ -16,12 +16,6 @@ namespace {
 using learn::mine::PictureUpdate;
 using learn::mine::Stand;
 
-void pin(ViewerState& state, learn::mine::Spot spot) {
-    state.pinned = Pixel{spot.x, spot.y};
-    state.step = 0;
-    state.playing = false;
-}
-
 /// The line that does not compile, with a caret below the place.
 std::string source_of(const PictureUpdate& update) {
     return update.error && !update.error->source.empty() ? learn::with_caret(*update.error) : "";

@@ -47,11 +47,8 @@ void tell_difference(const Frame& frame) {
                                          100 * static_cast<double>(differing->pixels) / all, differing->greatest)
                                  .c_str());
     const auto [x, y] = differing->where;
-    if (ImGui::Button(fmt::format("Pin ({}, {}), where it is greatest", x, y).c_str())) {
-        frame.state.pinned = differing->where;
-        frame.state.step = 0;
-        frame.state.playing = false;
-    }
+    if (ImGui::Button(fmt::format("Pin ({}, {}), where it is greatest", x, y).c_str()))
+        pin(frame.state, differing->where);
 }
 
 /// Shows which brightness stands for which difference.

@@ -218,16 +218,6 @@ std::optional<Pixel> pointed_at(const Canvas& canvas) {
     return p;
 }
 
-void pin(ViewerState& state, Pixel pixel, bool second) {
-    if (second) {
-        state.compared = pixel;
-        return;
-    }
-    state.pinned = pixel;
-    state.step = 0;
-    state.playing = false;
-}
-
 /// Turns the view with the mouse: horizontally about z, vertically about y, half a turn for the picture's width. What
 /// is seen follows the mouse if x points at the viewer.
 void turn_by_mouse(const Canvas& canvas) {
@@ -268,7 +258,10 @@ void listen_to_mouse(const Canvas& canvas) {
     // A click is a press that did not move.
     const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
     if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged.x == 0 && dragged.y == 0)
-        if (const std::optional<Pixel> pixel = pointed_at(canvas)) pin(state, *pixel, io.KeyShift);
+        if (const std::optional<Pixel> pixel = pointed_at(canvas)) {
+            if (io.KeyShift) state.compared = pixel;
+            else pin(state, pixel);
+        }
 }
 
 }  // namespace

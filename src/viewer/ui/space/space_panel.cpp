@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explain/explain.hpp"
+#include "explain/surface_kind.hpp"
 #include "explain/words.hpp"
 #include "output/legend_number.hpp"
 #include "viewer/ui/space/boxes.hpp"

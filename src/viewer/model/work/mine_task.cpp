@@ -1,0 +1,46 @@
+#include "viewer/model/work/mine_task.hpp"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace glassbox {
+
+void DrawMine::perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver) {
+    const auto tell = [&](learn::mine::PictureUpdate update) {
+        deliver(std::make_shared<const learn::mine::PictureUpdate>(std::move(update)));
+    };
+    const auto& [seen, workspace, lesson, saved] = request;
+    const learn::Exercise& exercise = learn::exercise_called(*workspace, std::to_string(lesson));
+    try {
+        run.tools.maker.make(*workspace, exercise, applied(*seen.scene, seen.setup), seen.setup.options, tell,
+                             run.stop);
+    } catch (const std::exception& error) {  // the machine cannot do it
+        learn::mine::PictureUpdate update;
+        update.stand = learn::mine::Stand::not_there;
+        update.words = error.what();
+        tell(std::move(update));
+    }
+}
+
+void DrawMine::tidy(const ViewerState& state, Results& results, bool) {
+    const bool shown = shows_mine(state);
+    if (!shown && results.mine) results.mine = nullptr, results.other = {};
+    if (!shown) return;
+    const auto& last = results.other.image;
+    if (!results.mine || (last && (last->width != state.scene->width || last->height != state.scene->height)))
+        results.other = {};
+    if (!results.mine) results.mine = std::make_shared<const learn::mine::PictureUpdate>();
+}
+
+void DrawMine::show(Result update, Results& results) {
+    results.mine = std::move(update);
+    ++results.mine_serial;
+    const auto& drawing = results.mine->drawing;
+    if (!drawing) return;
+    const bool whole = results.mine->stand == learn::mine::Stand::drawn;
+    results.other = {std::shared_ptr<const Image>(drawing, &drawing->image), whole ? 1 : 2};
+    ++results.other_serial;
+}
+
+}  // namespace glassbox

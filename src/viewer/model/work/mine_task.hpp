@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "viewer/model/work/mine.hpp"
+#include "viewer/model/work/picture_request.hpp"
+
+namespace glassbox {
+
+/// The picture by the learner's code.
+struct DrawMine {
+    struct Request {
+        PictureRequest seen;
+        std::shared_ptr<const learn::Workspace> workspace;
+        int lesson;
+        std::uint64_t saved;
+
+        bool operator==(const Request&) const = default;
+    };
+    using Result = std::shared_ptr<const learn::mine::PictureUpdate>;
+
+    static std::optional<Request> wanted(const ViewerState& state) {
+        if (!shows_mine(state) || !exercise_of(state.mine)) return {};
+        return Request{picture_request(state), state.mine.workspace, state.mine.lesson, state.mine.saved};
+    }
+    static void perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver);
+    static void tidy(const ViewerState& state, Results& results, bool is_new);
+    static void show(Result update, Results& results);
+};
+
+}  // namespace glassbox

@@ -1,0 +1,59 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "explain/explain.hpp"
+#include "viewer/model/state/command.hpp"
+#include "viewer/model/work/picture_request.hpp"
+
+namespace glassbox {
+
+/// The story of a pinned pixel.
+template <std::optional<Pixel> ViewerState::*Pinned, std::shared_ptr<const Story> Results::*Told>
+struct ExplainPixel {
+    struct Request {
+        PictureRequest seen;
+        Pixel pixel;
+        std::filesystem::path file;
+
+        bool operator==(const Request&) const = default;
+    };
+    using Result = std::shared_ptr<const Story>;
+
+    static std::optional<Request> wanted(const ViewerState& state) {
+        const std::optional<Pixel> pixel = state.*Pinned;
+        if (!pixel || !lies_on(*state.scene, *pixel)) return {};
+        return Request{picture_request(state), *pixel, state.file};
+    }
+    static void perform(const Request& request, const Run& run, const auto& deliver) {
+        const auto& [seen, pixel, file] = request;
+        Story story = explain(applied(*seen.scene, seen.setup), seen.setup.options, pixel.x, pixel.y, Detail::whole,
+                              background_job(seen, run));
+        story.command = explain_command(file, *seen.scene, seen.setup, pixel);
+        deliver(std::make_shared<const Story>(std::move(story)));
+    }
+    static void tidy(const ViewerState& state, Results& results, bool) {
+        if (state.*Pinned) return;
+        results.*Told = nullptr;
+        if constexpr (has_timeline) results.timeline.clear();
+    }
+    static void show(Result story, Results& results) {
+        results.*Told = std::move(story);
+        ++results.story_serial;
+        if constexpr (has_timeline) results.timeline = timeline(*results.story);
+    }
+
+private:
+    static constexpr bool has_timeline = Told == &Results::story;
+
+    static bool lies_on(const Scene& scene, Pixel pixel) {
+        return pixel.x >= 0 && pixel.y >= 0 && pixel.x < scene.width && pixel.y < scene.height;
+    }
+};
+
+using ExplainPinned = ExplainPixel<&ViewerState::pinned, &Results::story>;
+using ExplainCompared = ExplainPixel<&ViewerState::compared, &Results::compared>;
+
+}  // namespace glassbox
