@@ -103,7 +103,7 @@ struct Settable {
 };
 
 /// What is no part of the setup.
-const Settable settables_of_the_window[] = {
+const Settable settables[] = {
     {"other-scalar",
      [](Name name, Name typed) {
          return change([scalar = chosen(name, typed, scalars)](ViewerState& s) { s.other.scalar = scalar; });
@@ -160,7 +160,7 @@ const Settable settables_of_the_window[] = {
 };
 
 /// All that `set` can set; the view's parameters have commands of their own.
-std::vector<Settable> settables() {
+std::vector<Settable> all_settables() {
     std::vector<Settable> all;
     const auto add = [&](Subject subject) {
         for (const Parameter& parameter : parameters())
@@ -179,13 +179,13 @@ std::vector<Settable> settables() {
                        });
                    }});
     add(Subject::computing);
-    all.insert(all.end(), std::begin(settables_of_the_window), std::end(settables_of_the_window));
+    all.insert(all.end(), std::begin(settables), std::end(settables));
     return all;
 }
 
 ScriptStep set(const Words& words) {
     std::vector<std::string_view> names;
-    for (const auto& [name, read] : settables()) {
+    for (const auto& [name, read] : all_settables()) {
         if (words[1] == name) return read(words[1], words[2]);
         names.push_back(name);
     }
