@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "cli/scene_path.hpp"
 #include "cli/typed.hpp"
-#include "render/option_names.hpp"
+#include "render/parameters.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/shading_models.hpp"
 
 namespace glassbox {
 
@@ -42,7 +43,7 @@ struct Heading {
 
     /// An option whose word is read by a function of its own: `read("--size", "800x600")`.
     template <class Read>
-    void add(const char* name, const char* value, const std::string& help, const Read& read) const {
+    void add(const std::string& name, const char* value, const std::string& help, const Read& read) const {
         const auto callback = [name, read](const std::string& typed) { read(name, typed); };
         command.add_option_function<std::string>(name, callback, help)->type_name(value)->group(title);
     }
@@ -50,56 +51,49 @@ struct Heading {
 
 using Typed = const std::string&;
 
+/// What the words that a value is chosen by are, and which is the default where no scene says it.
+template <class Value>
+std::string help_of_choice(const Parameter& parameter, const Value& by_default) {
+    const std::string words = either(choices<Value>);
+    if (parameter.subject == Subject::shading) return words;
+    return fmt::format("{}: {} (default: {})", parameter.help, words, name_of(by_default));
+}
+
+std::string help_of(const Parameter& parameter) {
+    const Setup defaults;
+    return with_value(parameter, defaults, [&](const auto& value) -> std::string {
+        if constexpr (is_choice<std::remove_cvref_t<decltype(value)>>) return help_of_choice(parameter, value);
+        else return parameter.help;
+    });
+}
+
+void add_parameters(const Heading& heading, Subject subject, Request& request) {
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.subject != subject) continue;
+        const std::string option = fmt::format("--{}", parameter.name);
+        if (const auto* flag = std::get_if<bool Options::*>(&parameter.member)) {
+            heading.command.add_flag(option, part(request.setup, *flag), parameter.help)->group(heading.title);
+            continue;
+        }
+        heading.add(option, parameter.unit, help_of(parameter), [&](const std::string& name, Typed typed) {
+            request.setup = with_typed(request.setup, parameter, name, typed);
+            request.typed.push_back(&parameter);
+        });
+    }
+}
+
 void add_picture_options(CLI::App& command, Request& request) {
     const Heading picture{command, "What is seen"};
     picture.add("--size", "WxH", "pixels of the picture (default: as the scene says)",
-                [&](auto name, Typed typed) { request.size = size(name, typed); });
-    picture.add("--stage", "1..5", "what is used: 1 rays, 2 spheres, 3 triangles, 4 shading, 5 turns (default: 5)",
-                [&](auto name, Typed typed) { request.options.stage = whole_number(name, typed, 1, 5); });
-    picture.add("--turn", "AXIS:DEGREES,...", "turn the view about the world's axes, in this order: z:10,y:-20",
-                [&](auto name, Typed typed) { request.options.turns = turns(name, typed); });
-    command
-        .add_flag("--accumulated", request.options.accumulated,
-                  "add the turns one to another, each rounded, instead of turning once by all of them")
-        ->group(picture.title);
-}
-
-void add_shading_options(CLI::App& command, Request& request) {
-    const Heading shading{command, "How it is shaded (defaults: as the scene says)"};
-    const auto add_factor = [&](const char* option, const char* value, const char* help,
-                                std::optional<double>& target) {
-        shading.add(option, value, help, [&target](auto name, Typed typed) { target = factor(name, typed); });
-    };
-    add_factor("--ambient", "K", "factor of the ambient term, usually 0 to 1", request.ambient);
-    add_factor("--diffuse", "K", "factor of the diffuse term, usually 0 to 1", request.diffuse);
-    add_factor("--specular", "K", "factor of the specular term, usually 0 to 1", request.specular);
-    add_factor("--exponent", "E", "exponent of the specular term: the larger, the smaller the highlight",
-               request.exponent);
-    shading.add("--shading", "MODEL", either(shading_models),
-                [&](auto name, Typed typed) { request.model = chosen(name, typed, shading_models); });
-    shading.add("--light", "X,Y,Z", "towards the light, from the world's origin",
-                [&](auto name, Typed typed) { request.light = direction(name, typed); });
-    add_factor("--intensity", "I", "of the light, 1 for full", request.intensity);
+                [&](const std::string& name, Typed typed) { request.size = size(name, typed); });
+    add_parameters(picture, Subject::view, request);
 }
 
 void add_computing_options(CLI::App& command, Request& request) {
     const Heading computing{command, "How it is computed"};
-    const auto add_choice = [&](const char* option, const char* value, const char* help, const auto& table,
-                                const auto& by_default, const auto& read) {
-        computing.add(option, value, fmt::format("{}: {} (default: {})", help, either(table), name_of(by_default)),
-                      read);
-    };
-    const Options defaults;
-    add_choice("--scalar", "S", "what the formulas run in", scalars, defaults.scalar,
-               [&](auto name, Typed typed) { request.options.scalar = chosen(name, typed, scalars); });
-    add_choice("--triangle", "RULE", "when a triangle is hit", triangle_rules, defaults.triangle_rule,
-               [&](auto name, Typed typed) { request.options.triangle_rule = triangle_rule(name, typed); });
-    add_choice("--sphere", "RULE", "how a sphere's roots are found", sphere_rules, defaults.sphere_rule,
-               [&](auto name, Typed typed) { request.options.sphere_rule = chosen(name, typed, sphere_rules); });
-    add_choice("--engine", "E", "which surfaces a ray is tested against", engines, defaults.engine,
-               [&](auto name, Typed typed) { request.options.engine = chosen(name, typed, engines); });
+    add_parameters(computing, Subject::computing, request);
     computing.add("--threads", "N", "how many threads (default: as many as there are cores)",
-                  [&](auto name, Typed typed) { request.threads = whole_number(name, typed, 1, 1024); });
+                  [&](const std::string& name, Typed typed) { request.threads = whole_number(name, typed, 1, 1024); });
 }
 
 }  // namespace
@@ -110,7 +104,7 @@ void add_scene_options(CLI::App& command, Request& request) {
         ->type_name(" ")
         ->required();
     add_picture_options(command, request);
-    add_shading_options(command, request);
+    add_parameters({command, "How it is shaded (defaults: as the scene says)"}, Subject::shading, request);
     add_computing_options(command, request);
 }
 
@@ -125,15 +119,9 @@ CLI::Option* add_file(CLI::App& command, const char* option, const char* value, 
 Scene load(const Request& request) {
     Scene scene = read_scene(scene_path(request.scene));
     if (request.size) scene = resized(std::move(scene), request.size->first, request.size->second);
-    Shading<double>& shading = scene.shading;
-    shading.model = request.model.value_or(shading.model);
-    shading.k_a = request.ambient.value_or(shading.k_a);
-    shading.k_d = request.diffuse.value_or(shading.k_d);
-    shading.k_s = request.specular.value_or(shading.k_s);
-    shading.exponent = request.exponent.value_or(shading.exponent);
-    scene.light_vector = request.light.value_or(scene.light_vector);
-    scene.light_intensity = request.intensity.value_or(scene.light_intensity);
-    return scene;
+    Setup setup = setup_of(scene);
+    for (const Parameter* parameter : request.typed) setup = taken_over(std::move(setup), *parameter, request.setup);
+    return applied(std::move(scene), setup);
 }
 
 }  // namespace glassbox

@@ -3,8 +3,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "render/options.hpp"
+#include "render/parameters.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -13,12 +14,10 @@ namespace glassbox {
 /// it.
 struct Request {
     std::string scene;
-    Options options;
-    int threads = 0;  ///< 0: all cores
+    Setup setup;                          ///< what of it is typed counts
+    std::vector<const Parameter*> typed;  ///< of all but flags; of the shading the rest is as the scene says
+    int threads = 0;                      ///< 0: all cores
     std::optional<std::pair<int, int>> size;
-    std::optional<ShadingModel> model;
-    std::optional<double> ambient, diffuse, specular, exponent, intensity;
-    std::optional<Vec3<double>> light;
 };
 
 /// Gives a subcommand the SCENE argument and the options that all of them share.

@@ -38,8 +38,8 @@ std::string again(const CLI::App& command, const ExplainRequest& request) {
 void run(const CLI::App& command, const ExplainRequest& request) {
     const Scene scene = load(request);
     const auto [x, y] = pixel("--pixel", request.pixel, scene);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
-    Story story = explain(scene, request.options, x, y);
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
+    Story story = explain(scene, request.setup.options, x, y);
     story.command = again(command, request);
     print_text(request.json ? to_json(story) : to_text(story));
 }

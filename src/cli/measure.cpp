@@ -52,10 +52,10 @@ std::vector<std::string> without_value(const std::vector<Measured>& all) {
 void run(const CLI::App& command, const MeasureRequest& request, Session& session) {
     check_measurements_file(request.out);
     const Scene scene = load(request);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
     std::vector<std::vector<Channel>> channels = [&] {
         Progress progress("measuring", std::int64_t{scene.width} * scene.height);
-        return measure(scene, request.options, request.wanted,
+        return measure(scene, request.setup.options, request.wanted,
                        {request.threads, session.interrupt.token(), &progress.done()});
     }();
     std::vector<Measured> measured;

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "cli/tell.hpp"
+#include "render/parameters.hpp"
 #include "render/search/build_engine.hpp"
 
 namespace glassbox {
@@ -15,16 +19,24 @@ bool typed(const CLI::App& command, const std::string& option) {
 }
 
 struct Use {
-    const char* option;
+    std::string option;
     int first_stage;
     bool only_for_pictures;
 };
 
-constexpr Use uses[] = {
-    {"--size", 1, true},    {"--sphere", 2, false},  {"--triangle", 3, false}, {"--ambient", 4, true},
-    {"--diffuse", 4, true}, {"--specular", 4, true}, {"--exponent", 4, true},  {"--shading", 4, true},
-    {"--turn", 5, true},    {"--light", 4, true},    {"--intensity", 4, true}, {"--accumulated", 5, true},
-};
+/// In the order in which they are told: by stages, but the turns before the light.
+std::vector<Use> uses() {
+    std::vector<Use> all{{"--size", 1, true}};
+    for (const Parameter& parameter : parameters())
+        all.push_back({fmt::format("--{}", parameter.name), parameter.first_stage, parameter.only_for_pictures});
+    std::stable_sort(all.begin(), all.end(), [](const Use& a, const Use& b) { return a.first_stage < b.first_stage; });
+    const auto place_of = [&](std::string_view option) {
+        return std::find_if(all.begin(), all.end(), [&](const Use& use) { return use.option == option; });
+    };
+    const auto turn = place_of("--turn");
+    std::rotate(place_of("--light"), turn, turn + 1);
+    return all;
+}
 
 }  // namespace
 
@@ -35,7 +47,7 @@ void note(const CLI::App& command, const std::string& text, const std::vector<st
 
 std::vector<std::string> unused_options(const CLI::App& command, Rays rays, const Options& options) {
     std::vector<std::string> unused;
-    for (const auto& [option, first_stage, only_for_pictures] : uses) {
+    for (const auto& [option, first_stage, only_for_pictures] : uses()) {
         if (!typed(command, option)) continue;
         if (only_for_pictures && rays == Rays::of_ones_own)
             unused.push_back(fmt::format("{} (only for pictures)", option));

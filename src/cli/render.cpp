@@ -25,10 +25,10 @@ void run(const CLI::App& command, const RenderRequest& request, Session& session
     const fs::path out = request.out.empty() ? scene_path(request.scene).stem() += ".png" : fs::path(request.out);
     check_picture_file(out);
     const Scene scene = load(request);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.options));
+    note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
     const Image image = [&] {
         Progress progress("rendering", std::int64_t{scene.width} * scene.height);
-        return render(scene, request.options, {request.threads, session.interrupt.token(), &progress.done()});
+        return render(scene, request.setup.options, {request.threads, session.interrupt.token(), &progress.done()});
     }();
     write_picture(out, image, session.interrupt.token());
     if (request.out.empty()) print_name(fs::absolute(out).string());

@@ -49,13 +49,13 @@ void run(const CLI::App& command, const ShootRequest& request, Session& session)
     }
     const Scene scene = load(request);
     const std::vector<Ray<double>> rays = read_rays(request.rays);
-    note(command, "not used", unused_options(command, Rays::of_ones_own, request.options));
+    note(command, "not used", unused_options(command, Rays::of_ones_own, request.setup.options));
     const std::stop_token stop = session.interrupt.token();
     const std::vector<Shot> shots = [&] {
         Progress progress("shooting", static_cast<std::int64_t>(rays.size()));
-        return shoot(scene, request.options, rays, {request.threads, stop, &progress.done()});
+        return shoot(scene, request.setup.options, rays, {request.threads, stop, &progress.done()});
     }();
-    const Scalar scalar = request.options.scalar;
+    const Scalar scalar = request.setup.options.scalar;
     if (request.out.empty()) print(shots, scalar, stop);
     else
         write_whole(

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "render/option_names.hpp"
 #include "scene/direction.hpp"
@@ -100,6 +101,23 @@ TriangleRule triangle_rule(std::string_view option, const std::string& typed) {
         return Tolerance{
             factor(fmt::format("{} {}", option, name_of(TriangleRule(Tolerance{}))), std::string(*tolerance))};
     return chosen(option, typed, triangle_rules);
+}
+
+Setup with_typed(Setup setup, const Parameter& parameter, std::string_view option, const std::string& typed) {
+    with_value(parameter, setup, [&](auto& value) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, TriangleRule>) value = triangle_rule(option, typed);
+        else if constexpr (is_choice<Value>) value = chosen(option, typed, choices<Value>);
+        else if constexpr (std::is_same_v<Value, bool>) value = chosen(option, typed, switches);
+        else if constexpr (std::is_same_v<Value, double>) value = factor(option, typed);
+        else if constexpr (std::is_same_v<Value, Vec3<double>>) value = direction(option, typed);
+        else if constexpr (std::is_same_v<Value, std::vector<Turn<double>>>) value = turns(option, typed);
+        else {
+            const auto& [least, most, format, is_logarithmic] = parameter.range;
+            value = whole_number(option, typed, static_cast<int>(least), static_cast<int>(most));
+        }
+    });
+    return setup;
 }
 
 std::pair<int, int> pixel(std::string_view option, const std::string& typed, const Scene& scene) {

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "render/measure/measurements.hpp"
-#include "render/options.hpp"
+#include "render/parameters.hpp"
 #include "scene/named.hpp"
 #include "scene/scene.hpp"
 #include "scene/suggestion.hpp"
 
 namespace glassbox {
+
+inline constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
 // Parses the words after an option. Each function throws `wrong` for an invalid word, and says what would be right.
 
@@ -40,6 +42,9 @@ std::vector<Turn<double>> turns(std::string_view option, const std::string& type
 
 /// "pluecker", "tolerance", "tolerance:0.5" or "moeller-trumbore".
 TriangleRule triangle_rule(std::string_view option, const std::string& typed);
+
+/// The same setup, with the parameter as it was typed after the option.
+Setup with_typed(Setup setup, const Parameter& parameter, std::string_view option, const std::string& typed);
 
 /// "X,Y", a pixel of the scene's picture.
 std::pair<int, int> pixel(std::string_view option, const std::string& typed, const Scene& scene);

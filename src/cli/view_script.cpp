@@ -6,14 +6,15 @@
 #include <functional>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/scene_path.hpp"
 #include "cli/typed.hpp"
 #include "engine/hierarchy.hpp"
 #include "output/output_file.hpp"
-#include "render/option_names.hpp"
+#include "render/parameters.hpp"
 #include "scene/error.hpp"
-#include "scene/shading_models.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 #include "viewer/model/space/camera.hpp"
@@ -83,7 +84,6 @@ constexpr NameTable<NumberForm, 3> number_forms{{
     {"full", NumberForm::full, ""},
     {"hex", NumberForm::hex, ""},
 }};
-constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
 /// The same pixel, if it lies on the picture. Throws Error.
 std::optional<Pixel> on_picture(const ViewerState& state, const std::optional<Pixel>& pixel) {
@@ -94,52 +94,16 @@ std::optional<Pixel> on_picture(const ViewerState& state, const std::optional<Pi
     return pixel;
 }
 
+using Name = const std::string&;
+
 /// What `set NAME VALUE` can set.
 struct Settable {
     std::string_view name;
-    ScriptStep (*read)(const std::string& name, const std::string& typed);
+    std::function<ScriptStep(Name name, Name typed)> read;
 };
 
-template <double Shading<double>::*member>
-ScriptStep set_factor(const std::string& name, const std::string& typed) {
-    return change_setup([value = factor(name, typed)](Setup& setup) { setup.shading.*member = value; });
-}
-
-using Name = const std::string&;
-
-constexpr Settable settables[] = {
-    {"ambient", set_factor<&Shading<double>::k_a>},
-    {"diffuse", set_factor<&Shading<double>::k_d>},
-    {"specular", set_factor<&Shading<double>::k_s>},
-    {"exponent", set_factor<&Shading<double>::exponent>},
-    {"shading",
-     [](Name name, Name typed) {
-         return change_setup([model = chosen(name, typed, shading_models)](Setup& s) { s.shading.model = model; });
-     }},
-    {"light",
-     [](Name name, Name typed) {
-         return change_setup([position = direction(name, typed)](Setup& s) { s.light_vector = position; });
-     }},
-    {"intensity",
-     [](Name name, Name typed) {
-         return change_setup([value = factor(name, typed)](Setup& s) { s.light_intensity = value; });
-     }},
-    {"turns",
-     [](Name name, Name typed) {
-         return change_setup([added = chosen(name, typed, ways_to_turn)](Setup& s) { s.options.accumulated = added; });
-     }},
-    {"scalar",
-     [](Name name, Name typed) {
-         return change_setup([scalar = chosen(name, typed, scalars)](Setup& s) { s.options.scalar = scalar; });
-     }},
-    {"triangle",
-     [](Name name, Name typed) {
-         return change_setup([rule = triangle_rule(name, typed)](Setup& s) { s.options.triangle_rule = rule; });
-     }},
-    {"sphere",
-     [](Name name, Name typed) {
-         return change_setup([rule = chosen(name, typed, sphere_rules)](Setup& s) { s.options.sphere_rule = rule; });
-     }},
+/// What is no part of the setup.
+const Settable settables[] = {
     {"other-scalar",
      [](Name name, Name typed) {
          return change([scalar = chosen(name, typed, scalars)](ViewerState& s) { s.other.scalar = scalar; });
@@ -195,9 +159,33 @@ constexpr Settable settables[] = {
      }},
 };
 
+/// All that `set` can set; the view's parameters have commands of their own.
+std::vector<Settable> all_settables() {
+    std::vector<Settable> all;
+    const auto add = [&](Subject subject) {
+        for (const Parameter& parameter : parameters())
+            if (parameter.subject == subject && is_offered(parameter))
+                all.push_back({parameter.name, [&](Name name, Name typed) {
+                                   return change_setup(
+                                       [&parameter, from = with_typed({}, parameter, name, typed)](Setup& setup) {
+                                           setup = taken_over(std::move(setup), parameter, from);
+                                       });
+                               }});
+    };
+    add(Subject::shading);
+    all.push_back({"turns", [](Name name, Name typed) {
+                       return change_setup([added = chosen(name, typed, ways_to_turn)](Setup& setup) {
+                           setup.options.accumulated = added;
+                       });
+                   }});
+    add(Subject::computing);
+    all.insert(all.end(), std::begin(settables), std::end(settables));
+    return all;
+}
+
 ScriptStep set(const Words& words) {
     std::vector<std::string_view> names;
-    for (const auto& [name, read] : settables) {
+    for (const auto& [name, read] : all_settables()) {
         if (words[1] == name) return read(words[1], words[2]);
         names.push_back(name);
     }

@@ -1,5 +1,7 @@
 #include "explain/hit_story.hpp"
 
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -14,6 +16,7 @@
 #include "render/search/exact_crossing.hpp"
 #include "render/search/plain_search.hpp"
 #include "render/tracer.hpp"
+#include "scene/coefficients.hpp"
 
 namespace glassbox {
 
@@ -77,13 +80,14 @@ Vec3<Recorded<Real>> normal_of(const RecordedHit<Real, Shape>& hit) {
 
 template <class Real>
 Shading<Recorded<Real>> input(Tape& tape, const Shading<double>& s) {
-    return {s.model,
-            Recorded<Real>::input(tape, s.k_a, "k_a"),
-            Recorded<Real>::input(tape, s.k_d, "k_d"),
-            Recorded<Real>::input(tape, s.k_s, "k_s"),
-            Recorded<Real>::input(tape, s.exponent, "e"),
-            glassbox::input<Real>(tape, s.ambient_color, "ambient_color"),
-            glassbox::input<Real>(tape, s.specular_color, "specular_color")};
+    return converted<Recorded<Real>>(
+        s,
+        [&](double number, std::string_view symbol) {
+            return Recorded<Real>::input(tape, number, std::string(symbol));
+        },
+        [&](const Vec3<double>& color, std::string_view name) {
+            return glassbox::input<Real>(tape, color, std::string(name));
+        });
 }
 
 template <class Real>

@@ -5,6 +5,7 @@
 
 #include <shading.hpp>
 
+#include "scene/coefficients.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
@@ -25,9 +26,8 @@ Lighting lighting(const Scene& scene) {
     using Limits = std::numeric_limits<Real>;
     const auto held = [](double factor) { return std::min(factor, static_cast<double>(Limits::max())); };
     Shading<double> s = scene.shading;
-    s.k_a = held(s.k_a);
-    s.k_d = held(s.k_d);
-    s.k_s = held(s.k_s);
+    for (const Coefficient<double>& coefficient : coefficients<double>)
+        s.*coefficient.member = held(s.*coefficient.member);
     s.exponent = std::min(s.exponent, std::ldexp(1., Limits::digits + 3));
 
     constexpr int most = Limits::max_exponent / 2 - 4;

@@ -6,6 +6,8 @@
 #include <ray_color.hpp>
 #include <shading.hpp>
 
+#include "scene/coefficients.hpp"
+
 namespace glassbox {
 
 namespace told {
@@ -48,13 +50,9 @@ struct Tracer {
 /// The same shading in another scalar.
 template <class To, class From>
 Shading<To> convert(const Shading<From>& s) {
-    return {s.model,
-            static_cast<To>(s.k_a),
-            static_cast<To>(s.k_d),
-            static_cast<To>(s.k_s),
-            static_cast<To>(s.exponent),
-            convert<To>(s.ambient_color),
-            convert<To>(s.specular_color)};
+    return converted<To>(
+        s, [](const From& number, auto) { return static_cast<To>(number); },
+        [](const Vec3<From>& color, auto) { return convert<To>(color); });
 }
 
 }  // namespace glassbox

@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "scene/coefficients.hpp"
 #include "scene/error.hpp"
 #include "scene/obj_file.hpp"
 #include "scene/shading_models.hpp"
@@ -95,13 +97,18 @@ ShadingModel shading_model(const Value& value) {
 }
 
 Shading<double> read_shading(const Section& shading, Shading<double> read) {
+    std::vector<std::string_view> keys{"model"};
+    for (const Coefficient<double>& coefficient : coefficients<double>) {
+        keys.push_back(coefficient.name);
+        if (coefficient.color_member) keys.push_back(coefficient.color_name);
+    }
+    shading.expect_keys(keys);
     read.model = shading.get("model", shading_model, read.model);
-    read.k_a = shading.get("ambient", number_from_0, read.k_a);
-    read.k_d = shading.get("diffuse", number_from_0, read.k_d);
-    read.k_s = shading.get("specular", number_from_0, read.k_s);
-    read.exponent = shading.get("exponent", number_from_0, read.exponent);
-    read.ambient_color = shading.get("ambient_color", light_color, read.ambient_color);
-    read.specular_color = shading.get("specular_color", light_color, read.specular_color);
+    for (const Coefficient<double>& coefficient : coefficients<double>)
+        read.*coefficient.member = shading.get(coefficient.name, number_from_0, read.*coefficient.member);
+    for (const Coefficient<double>& coefficient : coefficients<double>)
+        if (const auto color = coefficient.color_member)
+            read.*color = shading.get(coefficient.color_name, light_color, read.*color);
     return read;
 }
 
@@ -162,9 +169,7 @@ Scene read_scene(const std::filesystem::path& path) {
     scene.light_vector = light.get("position", direction, scene.light_vector);
     scene.light_intensity = light.get("intensity", number_from_0, scene.light_intensity);
 
-    const Section shading = top.section("shading");
-    shading.expect_keys({"model", "ambient", "ambient_color", "diffuse", "specular", "specular_color", "exponent"});
-    scene.shading = read_shading(shading, scene.shading);
+    scene.shading = read_shading(top.section("shading"), scene.shading);
 
     for (const Section& sphere : top.sections("sphere")) scene.spheres.push_back(read_sphere(sphere));
     for (const Section& triangle : top.sections("triangle")) scene.triangles.push_back(read_triangle(triangle));

@@ -9,6 +9,7 @@
 #include "cli/program.hpp"
 #include "explain/explain.hpp"
 #include "scene/scene_file.hpp"
+#include "viewer/model/state/setup_changes.hpp"
 
 using namespace glassbox;
 using namespace glassbox::test;

@@ -8,6 +8,7 @@
 
 #include "learn/subprocess/shared_memory.hpp"
 #include "render/render.hpp"
+#include "scene/coefficients.hpp"
 #include "scene/printable.hpp"
 
 namespace glassbox::learn::mine {
@@ -48,10 +49,11 @@ void write(const Scene& scene, const Options& options, Sheet& sheet) {
     copy(scene.light_vector, sheet.light);
     sheet.intensity = scene.light_intensity;
     sheet.shading_model = static_cast<std::int32_t>(scene.shading.model);
-    sheet.k_a = scene.shading.k_a, sheet.k_d = scene.shading.k_d, sheet.k_s = scene.shading.k_s;
-    sheet.exponent = scene.shading.exponent;
-    copy(scene.shading.ambient_color, sheet.ambient_color);
-    copy(scene.shading.specular_color, sheet.specular_color);
+    static_assert(coefficients<double>.size() <= most_coefficients);
+    for (std::size_t i = 0; i < coefficients<double>.size(); ++i)
+        sheet.coefficients[i] = scene.shading.*coefficients<double>[i].member;
+    for (std::size_t i = 0; i < coefficients<double>.size(); ++i)
+        if (const auto color = coefficients<double>[i].color_member) copy(scene.shading.*color, sheet.colors[i]);
     copy(scene.background, sheet.background);
     sheet.turns = static_cast<std::int64_t>(options.turns.size());
     sheet.spheres = static_cast<std::int64_t>(scene.spheres.size());

@@ -18,6 +18,7 @@
 #include "render/search/plain_search.hpp"
 #include "render/tracer.hpp"
 #include "render/view.cpp"  // compiled anew, too: a learner's turn.hpp and viewing_plane.hpp count there
+#include "scene/coefficients.hpp"
 
 namespace glassbox::learn::mine {
 namespace {
@@ -46,13 +47,11 @@ Scene scene_of(Sheet& sheet) {
     scene.pivot = vector(sheet.pivot);
     scene.light_vector = vector(sheet.light);
     scene.light_intensity = sheet.intensity;
-    scene.shading = {static_cast<ShadingModel>(sheet.shading_model),
-                     sheet.k_a,
-                     sheet.k_d,
-                     sheet.k_s,
-                     sheet.exponent,
-                     vector(sheet.ambient_color),
-                     vector(sheet.specular_color)};
+    scene.shading.model = static_cast<ShadingModel>(sheet.shading_model);
+    for (std::size_t i = 0; i < coefficients<double>.size(); ++i)
+        scene.shading.*coefficients<double>[i].member = sheet.coefficients[i];
+    for (std::size_t i = 0; i < coefficients<double>.size(); ++i)
+        if (const auto color = coefficients<double>[i].color_member) scene.shading.*color = vector(sheet.colors[i]);
     for (std::int64_t i = 0; i < sheet.spheres; ++i) {
         const auto& [center, radius, own] = lists.spheres[i];
         scene.spheres.push_back({vector(center), radius, color(own)});

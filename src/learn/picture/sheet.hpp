@@ -34,6 +34,8 @@ struct SheetPixel {
 /// Where the renderer is.
 enum class Stage : std::int32_t { starting, view, light, pixels, done };
 
+inline constexpr int most_coefficients = 16;
+
 struct Sheet {
     std::int32_t width, height;
     std::int32_t stage;
@@ -47,8 +49,8 @@ struct Sheet {
 
     double light[3], intensity;
     std::int32_t shading_model;
-    double k_a, k_d, k_s, exponent;
-    double ambient_color[3], specular_color[3];
+    double coefficients[most_coefficients];  ///< of the shading, in the order of their table
+    double colors[most_coefficients][3];     ///< of their terms
     std::uint8_t background[3];
 
     std::int64_t turns, spheres, triangles;  ///< how many

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string>
 
+#include "render/setup.hpp"
 #include "viewer/model/state/picture_view.hpp"
-#include "viewer/model/state/setup.hpp"
 
 namespace glassbox {
 

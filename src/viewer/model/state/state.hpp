@@ -9,7 +9,7 @@
 #include "viewer/model/state/history.hpp"
 #include "viewer/model/state/number_form.hpp"
 #include "viewer/model/state/picture_view.hpp"
-#include "viewer/model/state/setup.hpp"
+#include "viewer/model/state/setup_changes.hpp"
 #include "viewer/model/work/mine.hpp"
 
 namespace glassbox {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "learn/course/workspace.hpp"
-#include "viewer/model/state/setup.hpp"
+#include "render/setup.hpp"
 
 namespace glassbox {
 

@@ -1,4 +1,6 @@
-#include "render/option_names.hpp"
+#include <variant>
+
+#include "render/parameters.hpp"
 #include "viewer/ui/controls/sections.hpp"
 #include "viewer/ui/widgets/edit.hpp"
 
@@ -33,19 +35,16 @@ void tolerance(ViewerState& state, double now) {
 
 void draw_computing_controls(const Frame& frame) {
     ViewerState& state = frame.state;
-    const Options options = state.setup.now().options;
-    choice(frame, "Scalar: what the formulas run in", scalars, name_of(options.scalar),
-           [&](Scalar scalar) { change_setup(state, [&](Setup& setup) { setup.options.scalar = scalar; }); });
-    ImGui::Spacing();
-    choice(frame, "Triangle rule: when a triangle is hit", triangle_rules, name_of(options.triangle_rule),
-           [&](const TriangleRule& rule) {
-               change_setup(state, [&](Setup& setup) { setup.options.triangle_rule = rule; });
-           });
-    if (const auto* rule = std::get_if<Tolerance>(&options.triangle_rule)) tolerance(state, rule->tolerance);
-    ImGui::Spacing();
-    choice(
-        frame, "Sphere rule: how its roots are found", sphere_rules, name_of(options.sphere_rule),
-        [&](const SphereRule& rule) { change_setup(state, [&](Setup& setup) { setup.options.sphere_rule = rule; }); });
+    const TriangleRule rule = state.setup.now().options.triangle_rule;
+    bool is_first = true;
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.subject != Subject::computing || !is_offered(parameter)) continue;
+        if (!is_first) ImGui::Spacing();
+        is_first = false;
+        offer_choice(frame, parameter);
+        if (!std::holds_alternative<TriangleRule Options::*>(parameter.member)) continue;
+        if (const auto* with_number = std::get_if<Tolerance>(&rule)) tolerance(state, with_number->tolerance);
+    }
 }
 
 }  // namespace glassbox

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "render/parameters.hpp"
 #include "scene/direction.hpp"
-#include "scene/shading_models.hpp"
 #include "viewer/ui/controls/sections.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/edit.hpp"
@@ -75,7 +75,6 @@ void light_direction(const Frame& frame) {
 
 void draw_shading_controls(const Frame& frame) {
     ViewerState& state = frame.state;
-    const Scene& scene = *state.scene;
     if (state.setup.now().options.stage < 4) {
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.faint_text);
         ImGui::TextWrapped("Shading is used from stage 4 on.");
@@ -83,17 +82,13 @@ void draw_shading_controls(const Frame& frame) {
     }
     figure_buttons(state);
     ImGui::Spacing();
-    choice(frame, "Shading model", shading_models, name_of(state.setup.now().shading.model),
-           [&](ShadingModel model) { change_setup(state, [&](Setup& setup) { setup.shading.model = model; }); });
+    const auto offer_each = [](const auto& offer) {
+        for (const Parameter& parameter : parameters())
+            if (parameter.subject == Subject::shading) offer(parameter);
+    };
+    offer_each([&](const Parameter& parameter) { offer_choice(frame, parameter); });
     ImGui::Spacing();
-    constexpr Range factor{0, 1, "%.3f"};
-    setup_slider(state, "k_a ambient", scene.shading.k_a, factor, [](Setup& s) -> double& { return s.shading.k_a; });
-    setup_slider(state, "k_d diffuse", scene.shading.k_d, factor, [](Setup& s) -> double& { return s.shading.k_d; });
-    setup_slider(state, "k_s specular", scene.shading.k_s, factor, [](Setup& s) -> double& { return s.shading.k_s; });
-    setup_slider(state, "exponent", scene.shading.exponent, {1, 1000, "%.1f", true},
-                 [](Setup& s) -> double& { return s.shading.exponent; });
-    setup_slider(state, "intensity I", scene.light_intensity, {0, 3, "%.2f"},
-                 [](Setup& s) -> double& { return s.light_intensity; });
+    offer_each([&](const Parameter& parameter) { offer_slider(state, parameter); });
     ImGui::Spacing();
     light_direction(frame);
 }

@@ -1,7 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 
+#include "render/parameters.hpp"
 #include "scene/named.hpp"
 #include "viewer/ui/panels.hpp"
 
@@ -24,49 +27,46 @@ void drag_setup(ViewerState& state, const Change& change) {
     state.setup.drag(std::move(setup));
 }
 
-/// What a number may be, and how it is shown.
-struct Range {
-    double least, most;
-    const char* format;
-    bool logarithmic = false;
-};
-
 /// Whether the second click of a double click is being held: it means "as the scene says", not a position on the
 /// slider.
 inline bool is_double_clicked() {
     return ImGui::IsItemActive() && ImGui::GetIO().MouseDown[0] && ImGui::GetIO().MouseClickedLastCount[0] >= 2;
 }
 
-/// A slider with its label on the right, for the number that `get(setup)` refers to. A double click, or the button that
-/// appears when it differs, restores `own`, the scene's own value. With Ctrl a number can be typed, also beyond the
+/// A slider with its label on the right, for the number that is that member of the setup. A double click, or the button
+/// that appears when it differs, restores the scene's own value. With Ctrl a number can be typed, also beyond the
 /// slider's ends, from 0 on.
-template <class Get>
-void setup_slider(ViewerState& state, const char* label, double own, const Range& range, const Get& get) {
-    ImGui::PushID(label);
-    Setup setup = state.setup.now();
-    double value = get(setup);
+template <class Member>
+void setup_slider(ViewerState& state, const Parameter& parameter, Member member) {
+    const auto& [least, most, format, is_logarithmic] = parameter.range;
+    ImGui::PushID(parameter.label);
+    const double now = part(state.setup.now(), member);
+    const Setup scenes = setup_of(*state.scene);
+    const double own = part(scenes, member);
+    double value = now;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float button = ImGui::GetFrameHeight(), font = ImGui::GetFontSize();
     const float name = std::min(8 * font, ImGui::GetContentRegionAvail().x * .4f);
     ImGui::SetNextItemWidth(
         std::max(3 * font, ImGui::GetContentRegionAvail().x - name - button - 2 * style.ItemInnerSpacing.x));
-    const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.least, &range.most,
-                                           range.format, range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &least, &most, format,
+                                           is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     const bool again = is_double_clicked();
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
         ImGui::SetTooltip("Ctrl+click to type a number; double click: as the scene says");
     if (again) value = own;
-    if ((moved || again) && value >= 0 && value <= 1e300) drag_setup(state, [&](Setup& next) { get(next) = value; });
+    if ((moved || again) && value >= 0 && value <= 1e300)
+        drag_setup(state, [&](Setup& next) { part(next, member) = value; });
     ImGui::SameLine(0, style.ItemInnerSpacing.x);
-    if (get(setup) != own) {
-        if (ImGui::Button("↺", {button, 0})) change_setup(state, [&](Setup& next) { get(next) = own; });
+    if (now != own) {
+        if (ImGui::Button("↺", {button, 0})) change_setup(state, [&](Setup& next) { part(next, member) = own; });
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("as the scene says: %g", own);
     } else {
         ImGui::Dummy({button, button});
     }
     ImGui::SameLine(0, style.ItemInnerSpacing.x);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
+    ImGui::TextUnformatted(parameter.label);
     ImGui::PopID();
 }
 
@@ -100,6 +100,32 @@ void choice(const Frame& frame, const char* label, const Table& table, std::stri
     ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.faint_text);
     ImGui::TextWrapped("%s", std::string(help).c_str());
     ImGui::PopStyleColor();
+}
+
+/// A slider for a parameter that is a number, 0 or more; nothing for another one.
+inline void offer_slider(ViewerState& state, const Parameter& parameter) {
+    std::visit(
+        [&](auto member) {
+            using Value = std::remove_cvref_t<decltype(part(state.setup.now(), member))>;
+            if constexpr (std::is_same_v<Value, double>) setup_slider(state, parameter, member);
+        },
+        parameter.member);
+}
+
+/// A list for a parameter that is chosen by name; nothing for another one.
+inline void offer_choice(const Frame& frame, const Parameter& parameter) {
+    std::visit(
+        [&](auto member) {
+            const auto now = part(frame.state.setup.now(), member);
+            using Value = std::remove_const_t<decltype(now)>;
+            if constexpr (is_choice<Value>) {
+                const auto choose = [&](const Value& value) {
+                    change_setup(frame.state, [&](Setup& setup) { part(setup, member) = value; });
+                };
+                choice(frame, parameter.label, choices<Value>, name_of(now), choose);
+            }
+        },
+        parameter.member);
 }
 
 }  // namespace glassbox

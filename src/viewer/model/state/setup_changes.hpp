@@ -2,26 +2,11 @@
 #include <span>
 #include <string>
 
-#include "render/options.hpp"
-#include "scene/scene.hpp"
+#include "render/setup.hpp"
 
 namespace glassbox {
 
-/// All that the viewer's controls change of how a scene is seen; the scene file stays as it is.
-struct Setup {
-    Options options;
-    Shading<double> shading;
-    Vec3<double> light_vector;
-    double light_intensity = 1;
-
-    bool operator==(const Setup&) const = default;
-};
-
-/// As the scene file says it.
-Setup setup_of(const Scene& scene);
-
-/// The scene as the setup says it.
-Scene applied(Scene scene, const Setup& setup);
+// How the viewer changes a setup.
 
 /// One of the paper's five figures: which terms it has, as (k_a, k_d, k_s).
 struct Figure {

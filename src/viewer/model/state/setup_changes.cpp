@@ -1,21 +1,15 @@
-#include "viewer/model/state/setup.hpp"
+#include "viewer/model/state/setup_changes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "render/parameters.hpp"
 
 namespace glassbox {
-
-Setup setup_of(const Scene& scene) { return {{}, scene.shading, scene.light_vector, scene.light_intensity}; }
-
-Scene applied(Scene scene, const Setup& setup) {
-    scene.shading = setup.shading;
-    scene.light_vector = setup.light_vector;
-    scene.light_intensity = setup.light_intensity;
-    return scene;
-}
 
 Setup with_figure(Setup setup, const Figure& figure) {
     setup.shading = {
@@ -44,19 +38,12 @@ std::string turns_in_words(std::span<const Turn<double>> turns) {
 }
 
 Setup followed(Setup setup, const Scene& before, const Scene& after) {
-    const auto follow = [](auto& value, const auto& was, const auto& is) {
-        if (value == was) value = is;
-    };
-    Shading<double>& shading = setup.shading;
-    follow(shading.model, before.shading.model, after.shading.model);
-    follow(shading.k_a, before.shading.k_a, after.shading.k_a);
-    follow(shading.k_d, before.shading.k_d, after.shading.k_d);
-    follow(shading.k_s, before.shading.k_s, after.shading.k_s);
-    follow(shading.exponent, before.shading.exponent, after.shading.exponent);
-    follow(shading.ambient_color, before.shading.ambient_color, after.shading.ambient_color);
-    follow(shading.specular_color, before.shading.specular_color, after.shading.specular_color);
-    follow(setup.light_vector, before.light_vector, after.light_vector);
-    follow(setup.light_intensity, before.light_intensity, after.light_intensity);
+    const Setup was = setup_of(before), is = setup_of(after);
+    for (const Parameter& parameter : parameters())
+        if (is_same(parameter, setup, was)) setup = taken_over(std::move(setup), parameter, is);
+    for (const Coefficient<double>& coefficient : coefficients<double>)
+        if (const auto color = coefficient.color_member; color && setup.shading.*color == was.shading.*color)
+            setup.shading.*color = is.shading.*color;
     return setup;
 }
 
