@@ -158,11 +158,14 @@ TEST_CASE("a normal has its digits where t overflows or is subnormal, and far of
         CHECK(std::abs(n.z - truth.z) <= 1e-15);
     };
     const double root3 = std::sqrt(3.0);
-    for (const auto [size, of_D] : {std::pair{600, -500}, {1000, -1000}, {-1050, 0}, {-1050, -300}, {-1050, 300}}) {
-        CAPTURE(size);
-        CAPTURE(of_D);
-        const auto length = [&](double x) { return std::ldexp(x, size); };
-        const Vec3<double> D{0, 0, -std::ldexp(1.0, of_D)};
+    struct Exponents {
+        int size, of_D;
+    };
+    for (const Exponents& e : {Exponents{600, -500}, {1000, -1000}, {-1050, 0}, {-1050, -300}, {-1050, 300}}) {
+        CAPTURE(e.size);
+        CAPTURE(e.of_D);
+        const auto length = [&](double x) { return std::ldexp(x, e.size); };
+        const Vec3<double> D{0, 0, -std::ldexp(1.0, e.of_D)};
         expect(normal({length(1), 0, length(10)}, D, {}, length(2)), {0.5, 0, root3 / 2});
         expect(normal({length(1), 0, 0}, D, {}, length(2)), {0.5, 0, -root3 / 2});
     }
