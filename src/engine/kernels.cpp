@@ -30,18 +30,19 @@ HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float t
     return met;
 }
 
-/// `open(child)` is told of each box that is looked into.
+/// A template, so that a traversal that nobody hears of box by box is compiled without the telling.
 template <class Open>
-HWY_INLINE HWY_ATTR void walk_telling(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit,
-                                      void* state, WalkCounts& counts, const Open& open) {
-    if (hierarchy.nodes.empty()) return;
+HWY_INLINE HWY_ATTR TraversalCounts traverse_telling(const Hierarchy& hierarchy, const BoxRay& ray, float t_max,
+                                                     VisitLeaf visit, const Open& open) {
+    TraversalCounts counts;
+    if (hierarchy.nodes.empty()) return counts;
     Visits visits({0, 0});
     while (!visits.is_empty()) {
         const auto [child, entry] = visits.pop();
         if (entry > t_max) continue;
         open(child);
         if (Child::is_leaf(child)) {
-            t_max = visit(state, child, t_max);
+            t_max = visit(child, t_max);
             continue;
         }
         const Node& node = hierarchy.nodes[child];
@@ -51,17 +52,16 @@ HWY_INLINE HWY_ATTR void walk_telling(const Hierarchy& hierarchy, const BoxRay& 
         counts.boxes_missed += static_cast<std::uint32_t>(fan_out - __builtin_popcount(met));
         visits.push(node, met, entries);
     }
+    return counts;
 }
 
-HWY_ATTR void Walk(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit, void* state,
-                   WalkCounts& counts) {
-    walk_telling(hierarchy, ray, t_max, visit, state, counts, [](std::uint32_t) HWY_ATTR {});
+HWY_ATTR TraversalCounts Traverse(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit) {
+    return traverse_telling(hierarchy, ray, t_max, visit, [](std::uint32_t) HWY_ATTR {});
 }
 
-HWY_ATTR void WalkToldOf(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit, OpenBox open,
-                         void* state, WalkCounts& counts) {
-    walk_telling(hierarchy, ray, t_max, visit, state, counts,
-                 [&](std::uint32_t child) HWY_ATTR { open(state, child); });
+HWY_ATTR TraversalCounts TraverseTelling(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit,
+                                         OpenBox open) {
+    return traverse_telling(hierarchy, ray, t_max, visit, open);
 }
 
 /// Side products as in filter::sides_error: |ŝ − s| ≤ 8u S, and S ≤ 2m²(|D.x| + |D.y| + |D.z|), where m is the largest
@@ -90,19 +90,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glassbox::engine {
 
-HWY_EXPORT(Walk);
-HWY_EXPORT(WalkToldOf);
+HWY_EXPORT(Traverse);
+HWY_EXPORT(TraverseTelling);
 HWY_EXPORT(NotMissed);
 HWY_EXPORT(VectorsUsed);
 
-void walk(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit, void* state,
-          WalkCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(Walk)(hierarchy, ray, t_max, visit, state, counts);
+TraversalCounts traverse(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit) {
+    return HWY_DYNAMIC_DISPATCH(Traverse)(hierarchy, ray, t_max, visit);
 }
 
-void walk(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit, OpenBox open, void* state,
-          WalkCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(WalkToldOf)(hierarchy, ray, t_max, visit, open, state, counts);
+TraversalCounts traverse(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit, OpenBox open) {
+    return HWY_DYNAMIC_DISPATCH(TraverseTelling)(hierarchy, ray, t_max, visit, open);
 }
 
 std::uint32_t not_missed(const Block& block, const Ray<double>& ray) {
