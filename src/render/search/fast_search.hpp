@@ -6,6 +6,7 @@
 
 #include "engine/kernels.hpp"
 #include "render/search/filtered_predicates.hpp"
+#include "render/search/probe_flags.hpp"
 
 namespace glassbox {
 
@@ -28,24 +29,6 @@ struct EngineSurfaces {
     auto errors(const Surface& surface, std::size_t, const Ray<double>& ray) const {
         return filter::errors(surface, including({}, ray));
     }
-};
-
-/// A probe that asks for no more than what a ray meets first.
-template <class Probe>
-concept OnlyNearest = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
-    Probe::only_nearest;
-};
-
-/// A probe that does not listen to the tests themselves, but to what comes of them.
-template <class Probe>
-concept OnlyVerdicts = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
-    Probe::only_verdicts;
-};
-
-/// A probe that wants to hear which boxes are looked into.
-template <class Probe>
-concept HearsBoxes = requires {
-    Probe::hears_boxes;
 };
 
 /// Finds what a ray meets first as CertifiedSearch does, and answers the same. It tests only surfaces whose boxes the
