@@ -31,7 +31,7 @@ struct BoxRay {
     static constexpr float exit_factor = 1 + 0x1p-20f;
 
     /// No box beyond this entry holds a point of the ray before t.
-    float until(double t) const {
+    float t_max(double t) const {
         const double moved = t * scale - shift;
         if (!(moved < 0x1p100)) return std::numeric_limits<float>::infinity();
         return rounded_up(moved + std::abs(moved) * 0x1p-19 + 0x1p-100);

@@ -9,6 +9,21 @@
 
 #include "engine/hierarchy.hpp"
 
+// How to use it, as search/fast_search.hpp does in full. Build, once for a scene:
+//
+//   const Engine engine(spheres, triangles);
+//
+// Intersect (kernels.hpp): a ray of its own visits the leaves whose boxes it meets, near ones first,
+//
+//   const std::optional<BoxRay> boxes = box_ray(ray, engine);
+//   traverse(engine.hierarchy(), *boxes, t_max, [&](std::uint32_t leaf, float t_max) {
+//       … test the leaf's surfaces …
+//       return found_one ? boxes->t_max(t) : t_max;
+//   });
+//
+// and surfaces in loose() are tested besides; where there is no BoxRay, all surfaces are. The rays of neighbouring
+// pixels are traced together: grid, then trace_tile (tile.hpp).
+
 namespace glassbox::engine {
 
 /// The triangles of a leaf, coordinate by coordinate, as vectors read them. Places that are left over repeat the last

@@ -12,7 +12,8 @@
 
 namespace glassbox {
 
-inline constexpr int tile_side = 32;
+/// Pixels on a side of a block: what a thread does in one go.
+inline constexpr int block_side = 32;
 
 /// Calls `body` on parts of the range on the job's threads, which may be more than there are cores.
 template <class Range, class Body>
@@ -27,17 +28,24 @@ inline void throw_if_stopped(const Job& job) {
     if (job.stop.stop_requested() && std::chrono::steady_clock::now() >= job.not_before) throw Cancelled{};
 }
 
-/// Calls `work(x, y)` once for every pixel, tile by tile on the job's threads, in no fixed order. Throws Cancelled at
-/// the next pixel when the job is asked to stop.
+/// Calls `work(columns, rows)` once for every block of a picture's pixels on the job's threads, in no fixed order.
+template <class Work>
+void for_each_block(int width, int height, const Job& job, const Work& work) {
+    const tbb::blocked_range2d<int> all(0, height, block_side, 0, width, block_side);
+    run_parallel(all, job, [&](const auto& block) { work(block.cols(), block.rows()); });
+}
+
+/// Calls `work(x, y)` once for every pixel, block by block. Throws Cancelled at the next pixel when the job is asked to
+/// stop.
 template <class Work>
 void for_each_pixel(int width, int height, const Job& job, const Work& work) {
-    run_parallel(tbb::blocked_range2d<int>(0, height, tile_side, 0, width, tile_side), job, [&](const auto& tile) {
-        for (int y = tile.rows().begin(); y != tile.rows().end(); ++y) {
-            for (int x = tile.cols().begin(); x != tile.cols().end(); ++x) {
+    for_each_block(width, height, job, [&](const auto& columns, const auto& rows) {
+        for (int y = rows.begin(); y != rows.end(); ++y) {
+            for (int x = columns.begin(); x != columns.end(); ++x) {
                 throw_if_stopped(job);
                 work(x, y);
             }
-            if (job.done) *job.done += tile.cols().end() - tile.cols().begin();
+            if (job.done) *job.done += columns.end() - columns.begin();
         }
     });
 }

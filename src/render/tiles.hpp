@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <optional>
 #include <variant>
 
 #include "engine/tile.hpp"
@@ -7,6 +8,13 @@
 #include "render/view.hpp"
 
 namespace glassbox {
+
+/// A view's rays as the engine traces many of them together; nothing where its bounds fail.
+inline std::optional<engine::Grid> grid_for(const View& view, int width, int height, const engine::Engine& engine) {
+    if (const auto* from_eye = std::get_if<FromEye>(&view))
+        return engine::grid(from_eye->eye, from_eye->plane, width, height, engine);
+    return engine::grid(std::get<Parallel<double>>(view), width, height, engine);
+}
 
 /// Finds the nearest hits of all pixels' rays, many at a time, and calls `each(x, y, surface, t)` once for every pixel,
 /// on the job's threads. `surface` is engine::no_surface where the ray meets none, and engine::not_told where the
@@ -16,26 +24,23 @@ template <class Each>
 void trace_tiles(const engine::Engine& engine, const View& view, int width, int height, const Job& job,
                  const Each& each) {
     constexpr int side = engine::tile_side;
-    const auto* from_eye = std::get_if<FromEye>(&view);
-    const auto grid = from_eye ? engine::grid(from_eye->eye, from_eye->plane, width, height, engine)
-                               : engine::grid(std::get<Parallel<double>>(view), width, height, engine);
-    const tbb::blocked_range2d<int> all(0, height, tile_side, 0, width, tile_side);
-    run_parallel(all, job, [&](const auto& part) {
+    const std::optional<engine::Grid> rays = grid_for(view, width, height, engine);
+    for_each_block(width, height, job, [&](const auto& columns, const auto& rows) {
         engine::Tile tile;
         std::fill(std::begin(tile.surface), std::end(tile.surface), engine::not_told);
-        for (int y0 = part.rows().begin(); y0 < part.rows().end(); y0 += side)
-            for (int x0 = part.cols().begin(); x0 < part.cols().end(); x0 += side) {
+        for (int y0 = rows.begin(); y0 < rows.end(); y0 += side)
+            for (int x0 = columns.begin(); x0 < columns.end(); x0 += side) {
                 throw_if_stopped(job);
                 const int bottom = height - y0 - side;  // the tile's lowest row, which may lie below the picture
-                if (grid) engine::trace_tile(engine, *grid, x0, bottom, tile);
-                const int y1 = std::min(y0 + side, part.rows().end()), x1 = std::min(x0 + side, part.cols().end());
+                if (rays) engine::trace_tile(engine, *rays, x0, bottom, tile);
+                const int y1 = std::min(y0 + side, rows.end()), x1 = std::min(x0 + side, columns.end());
                 for (int y = y0; y < y1; ++y)
                     for (int x = x0; x < x1; ++x) {
                         const int at = engine::place_in_tile(x - x0, height - 1 - y - bottom);
-                        each(x, y, tile.surface[at], grid ? engine::t_of_key(*grid, tile.key_low[at]) : 0);
+                        each(x, y, tile.surface[at], rays ? engine::t_of_key(*rays, tile.key_low[at]) : 0);
                     }
             }
-        if (job.done) *job.done += static_cast<std::int64_t>(part.rows().size() * part.cols().size());
+        if (job.done) *job.done += static_cast<std::int64_t>(rows.size() * columns.size());
     });
 }
 

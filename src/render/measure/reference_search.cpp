@@ -74,16 +74,6 @@ private:
     std::size_t hits_ = 0;
 };
 
-/// Tests all surfaces of a leaf, and never shortens the ray.
-float ask_leaf(void* state, std::uint32_t leaf, float until) {
-    auto& [engine, search] = *static_cast<std::pair<const engine::Engine&, ExhaustiveSearch&>*>(state);
-    const engine::Hierarchy& hierarchy = engine.hierarchy();
-    const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
-    const auto [first, count] = leaves[engine::Child::index(leaf)];
-    for (std::uint32_t i = first; i < first + count; ++i) search.ask(hierarchy.surfaces[i]);
-    return until;
-}
-
 /// How many bits a t found in that scalar has lost.
 double lost(long double t, const Exact& truth, Scalar scalar) {
     if (scalar == Scalar::float_) return bits_lost(static_cast<float>(t), truth);
@@ -101,9 +91,14 @@ TrueHits ReferenceSearch::true_hits(const Ray<double>& ray) const {
         return search.result();
     }
     for (const std::uint32_t surface : engine_->loose()) search.ask(surface);
-    std::pair<const engine::Engine&, ExhaustiveSearch&> state(*engine_, search);
-    engine::WalkCounts counts;
-    engine::walk(engine_->hierarchy(), *boxes, std::numeric_limits<float>::infinity(), ask_leaf, &state, counts);
+    const engine::Hierarchy& hierarchy = engine_->hierarchy();
+    const auto ask_leaf = [&](std::uint32_t leaf, float t_max) {
+        const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
+        const auto [first, count] = leaves[engine::Child::index(leaf)];
+        for (std::uint32_t i = first; i < first + count; ++i) search.ask(hierarchy.surfaces[i]);
+        return t_max;  // on to the end: all hits are wanted
+    };
+    engine::traverse(hierarchy, *boxes, std::numeric_limits<float>::infinity(), ask_leaf);
     return search.result();
 }
 

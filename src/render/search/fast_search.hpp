@@ -1,9 +1,12 @@
 #pragma once
+#include <bit>
+#include <limits>
 #include <memory>
 #include <optional>
 
 #include "engine/kernels.hpp"
 #include "render/search/filtered_predicates.hpp"
+#include "render/search/probe_flags.hpp"
 
 namespace glassbox {
 
@@ -28,24 +31,6 @@ struct EngineSurfaces {
     }
 };
 
-/// A probe that needs only the nearest hit.
-template <class Probe>
-concept OnlyNearest = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
-    Probe::only_nearest;
-};
-
-/// A probe that listens only to the tests' results, not to the tests themselves.
-template <class Probe>
-concept OnlyVerdicts = std::is_same_v<std::remove_const_t<Probe>, Silent> || requires {
-    Probe::only_verdicts;
-};
-
-/// A probe that listens to which boxes are visited.
-template <class Probe>
-concept HearsBoxes = requires {
-    Probe::hears_boxes;
-};
-
 /// Finds the nearest hit with the same answers as CertifiedSearch. Tests only surfaces whose boxes the ray meets, and,
 /// if the probe is OnlyNearest, none far behind the nearest hit so far.
 ///
@@ -65,22 +50,18 @@ public:
     template <class Probe>
     std::optional<ProvenHit> trace_proven(const Ray<double>& ray, Probe& probe) const {
         const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
-        Walk<Probe> walk{*this, ray, probe, boxes ? &*boxes : nullptr, {}};
+        Traversal<Probe> way{*this, ray, probe, boxes ? &*boxes : nullptr, {}};
         if (!boxes) {
-            for (std::size_t i = 0; i < engine().size(); ++i) walk.test(i);
-            return walk.best;
+            for (std::size_t i = 0; i < engine().size(); ++i) way.test(i);
+            return way.best;
         }
-        for (const std::uint32_t surface : engine().loose()) walk.test(surface);
-        engine::WalkCounts counts;
-        if constexpr (HearsBoxes<Probe>)
-            engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, Walk<Probe>::open, &walk,
-                         counts);
-        else engine::walk(engine().hierarchy(), *boxes, walk.until(), Walk<Probe>::visit, &walk, counts);
+        for (const std::uint32_t surface : engine().loose()) way.test(surface);
+        const engine::TraversalCounts counts = way.traverse();
         if constexpr (!OnlyVerdicts<Probe>) {
             probe(told::NodesVisited{}, counts.nodes);
             probe(told::BoxesMissed{}, counts.boxes_missed);
         }
-        return walk.best;
+        return way.best;
     }
 
     /// The same hit in the form that PlainSearch returns.
@@ -104,7 +85,7 @@ public:
 private:
     /// One ray's traversal of the hierarchy.
     template <class Probe>
-    struct Walk {
+    struct Traversal {
         const FastSearch& search;
         const Ray<double>& ray;
         Probe& probe;
@@ -116,9 +97,26 @@ private:
                 surface, [&](const auto& shape) { search.predicates_.test(best, ray, shape, surface, probe); });
         }
 
-        float until() const {
+        float t_max() const {
             if (!OnlyNearest<Probe> || !best) return std::numeric_limits<float>::infinity();
-            return boxes->until(best->farthest);
+            return boxes->t_max(best->farthest);
+        }
+
+        engine::TraversalCounts traverse() {
+            const auto visit = [this](std::uint32_t leaf, float before) { return test_leaf(leaf, before); };
+            const engine::Hierarchy& hierarchy = search.engine().hierarchy();
+            if constexpr (HearsBoxes<Probe>)
+                return engine::traverse(hierarchy, *boxes, t_max(), visit,
+                                        [this](std::uint32_t code) { probe(told::BoxOpened{}, code); });
+            else return engine::traverse(hierarchy, *boxes, t_max(), visit);
+        }
+
+        /// t_max from now on, where it was `before`.
+        float test_leaf(std::uint32_t leaf, float before) {
+            const std::optional<ProvenHit> known = best;
+            test_all(leaf);
+            const bool is_new = best && (!known || known->surface != best->surface);
+            return is_new ? t_max() : before;
         }
 
         void test_all(std::uint32_t leaf) {
@@ -137,18 +135,6 @@ private:
                 for (std::uint32_t at = 0; at < block.count; ++at)
                     search.predicates_.test(best, ray, block.triangle(at), block.surface[at], probe);
             }
-        }
-
-        static float visit(void* state, std::uint32_t leaf, float until) {
-            Walk& self = *static_cast<Walk*>(state);
-            const std::optional<ProvenHit> before = self.best;
-            self.test_all(leaf);
-            const bool is_new = self.best && (!before || before->surface != self.best->surface);
-            return is_new ? self.until() : until;
-        }
-
-        static void open(void* state, std::uint32_t child) {
-            static_cast<Walk*>(state)->probe(told::BoxOpened{}, child);
         }
     };
 

@@ -66,8 +66,8 @@ bool holds(const std::vector<std::uint32_t>& codes, std::uint32_t code) {
     return std::binary_search(codes.begin(), codes.end(), code);
 }
 
-/// Whether a ray meets the box around all surfaces, by the test that a walk applies to a node's children: a walk starts
-/// with the root's children and need not test the root's own box.
+/// Whether a ray meets the box around all surfaces, by the test that a traversal applies to a node's children: it
+/// starts with the root's children and need not test the root's own box.
 bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
     engine::Hierarchy above;  // one node, whose only child is that box
     Node& node = above.nodes.emplace_back();
@@ -81,12 +81,10 @@ bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
         node.child[i] = i == 0 ? Child::leaf : Child::nothing;
     }
     bool met = false;
-    engine::WalkCounts counts;
-    const auto visit = [](void* state, std::uint32_t, float until) {
-        *static_cast<bool*>(state) = true;
-        return until;
-    };
-    engine::walk(above, ray, engine::Box::inf, visit, &met, counts);
+    engine::traverse(above, ray, engine::Box::inf, [&](std::uint32_t, float t_max) {
+        met = true;
+        return t_max;
+    });
     return met;
 }
 
