@@ -14,9 +14,9 @@ struct Function {
     std::string header;              ///< the file that it is in
     std::vector<std::string> tests;  ///< a test case whose name contains one of these tests it
     std::string hints[3];            ///< a question, the formula, the line of code: the whole body
-    std::string returns;             ///< its type: not_written<Roots<Real>>("Textbook")
-    std::string turn;                ///< what stands above it in the starter: "// Your turn: …"; may be empty
-    Place place;                     ///< where exercise.toml has it
+    std::string returns = {};        ///< its type: not_written<Roots<Real>>("Textbook")
+    std::string turn = {};           ///< what stands above it in the starter: "// Your turn: …"; may be empty
+    Place place = {};                ///< where exercise.toml has it
 };
 inline constexpr int hint_tiers = 3;
 
