@@ -103,6 +103,7 @@ Ray<double> ray_at(const engine::Engine& engine, const Box& box, double distance
 
 void check_boxes(BoxCounts& counts, double size, double away, double distance, double speed, test::Doubles& random) {
     const engine::Engine engine = test::engine_of_size(test::some_vector(random, away), size);
+    if (engine.loose().size() == engine.size()) return;  // floats cannot hold its surface: there are no boxes
     std::vector<Box> boxes;
     for (int i = 0; i < engine::fan_out; ++i) boxes.push_back(box_in(engine, random));
     const engine::Hierarchy hierarchy = hierarchy_of(boxes);
