@@ -39,7 +39,7 @@ void expect_valid(const Ray<double>& ray) {
 FastSearch search(const std::shared_ptr<const engine::Engine>& engine) { return {engine, Stable{}, Pluecker{}}; }
 
 CertifiedHit to_hit(const FastSearch& search, const Ray<double>& ray, const ProvenHit& hit) {
-    const Bounded t = search.sharpened(ray, hit);
+    const Bounded t = search.predicates().sharpened(ray, hit);
     return {hit.surface, t.value, t.error};
 }
 
@@ -48,7 +48,8 @@ bool is_before(const FastSearch& search, const Ray<double>& ray, const Certified
     const Bounded t{one.t, one.t_error}, other_t{other.t, other.t_error};
     if (surely(t < other_t)) return true;
     if (surely(t > other_t)) return false;
-    const int order = compare(*search.true_t(ray, one.surface), *search.true_t(ray, other.surface));
+    const int order =
+        compare(*search.predicates().true_t(ray, one.surface), *search.predicates().true_t(ray, other.surface));
     return order != 0 ? order < 0 : one.surface > other.surface;
 }
 
@@ -82,7 +83,7 @@ std::vector<CertifiedHit> CertifiedScene::all_hits(const Ray<double>& ray) const
     fast.trace_proven(ray, met);
     std::vector<CertifiedHit> hits;
     for (const std::size_t surface : met.surfaces) {
-        const double t = fast.t_of(ray, surface);
+        const double t = fast.predicates().t_of(ray, surface);
         hits.push_back(to_hit(fast, ray, {surface, {t, std::numeric_limits<double>::infinity()}, t, t}));
     }
     std::ranges::sort(hits, [&](const CertifiedHit& a, const CertifiedHit& b) { return is_before(fast, ray, a, b); });

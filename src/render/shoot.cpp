@@ -36,7 +36,7 @@ Shot shot(const Search& search, const Ray<double>& ray) {
     const auto hit = search.trace_proven(ray, count);
     const bool by_filter = count.undecided == 0;
     if (!hit) return {.answer = Shot::Answer::miss, .by_filter = by_filter};
-    const Bounded t = search.sharpened(ray, *hit);
+    const Bounded t = search.predicates().sharpened(ray, *hit);
     return {.answer = Shot::Answer::hit,
             .surface = hit->surface,
             .t = t.value,

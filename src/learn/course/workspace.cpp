@@ -29,7 +29,7 @@ fs::path find_root(const fs::path& here) {
         if (has_lessons(folder)) return folder;
         if (folder == folder.parent_path()) break;
     }
-    if (has_lessons(shipped_folder())) return shipped_folder();
+    if (fs::path shipped = shipped_folder(); has_lessons(shipped)) return shipped;
     throw Error(
         "glassbox learn: error: the lessons are not here, nor where this program was built or installed; go into the "
         "folder of Glassbox's source, the one with lessons/ in it");

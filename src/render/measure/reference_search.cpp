@@ -4,6 +4,7 @@
 
 #include "engine/kernels.hpp"
 #include "numerics/bits_lost.hpp"
+#include "render/search/exact_crossing.hpp"
 
 namespace glassbox {
 
@@ -41,17 +42,14 @@ public:
         });
     }
 
-    TrueHits result() const {
-        if (!nearest_) return {hits_, {}, {}};
-        return {hits_, nearest_->surface, exact_t(*nearest_)};
-    }
-
-private:
     struct Met {
         std::size_t surface;
         Bounded t;
         std::optional<TrueT> exact;
     };
+
+    std::size_t hits() const { return hits_; }
+    const std::optional<Met>& nearest() const { return nearest_; }
 
     TrueT exact_t(const Met& met) const {
         if (met.exact) return *met.exact;
@@ -59,6 +57,7 @@ private:
                                      [&](const auto& shape) { return exact_crossing(ray_, shape, rule_for(shape)); });
     }
 
+private:
     /// Whether the ray meets `one` before `other`.
     bool is_before(const Met& one, const Met& other) const {
         if (surely(one.t < other.t)) return true;
@@ -81,17 +80,17 @@ double lost(long double t, const Exact& truth, Scalar scalar) {
     return bits_lost(static_cast<double>(t), truth);
 }
 
-}  // namespace
-
-TrueHits ReferenceSearch::true_hits(const Ray<double>& ray) const {
-    ExhaustiveSearch search(*engine_, ray);
-    const std::optional<engine::BoxRay> boxes = engine_->size() > few ? engine::box_ray(ray, *engine_) : std::nullopt;
+/// `ray` must be valid, and outlive the result.
+ExhaustiveSearch true_hits(const engine::Engine& engine, const Ray<double>& ray) {
+    ExhaustiveSearch search(engine, ray);
+    const bool has_few = engine.size() <= ReferenceSearch::few;
+    const std::optional<engine::BoxRay> boxes = has_few ? std::nullopt : engine::box_ray(ray, engine);
     if (!boxes) {
-        for (std::size_t surface = 0; surface < engine_->size(); ++surface) search.ask(surface);
-        return search.result();
+        for (std::size_t surface = 0; surface < engine.size(); ++surface) search.ask(surface);
+        return search;
     }
-    for (const std::uint32_t surface : engine_->loose()) search.ask(surface);
-    const engine::Hierarchy& hierarchy = engine_->hierarchy();
+    for (const std::uint32_t surface : engine.loose()) search.ask(surface);
+    const engine::Hierarchy& hierarchy = engine.hierarchy();
     const auto ask_leaf = [&](std::uint32_t leaf, float t_max) {
         const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
         const auto [first, count] = leaves[engine::Child::index(leaf)];
@@ -99,19 +98,27 @@ TrueHits ReferenceSearch::true_hits(const Ray<double>& ray) const {
         return t_max;  // on to the end: all hits are wanted
     };
     engine::traverse(hierarchy, *boxes, std::numeric_limits<float>::infinity(), ask_leaf);
-    return search.result();
+    return search;
+}
+
+}  // namespace
+
+double ReferenceSearch::hits(const Ray<double>& ray) const {
+    return is_valid(ray) ? static_cast<double>(true_hits(*engine_, ray).hits()) : 0;
 }
 
 void ReferenceSearch::compare(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const {
     constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
     if (!is_valid(ray)) return;
-    const TrueHits found = true_hits(ray);
-    numbers.verdict = !found.nearest && !numbers.surface   ? right
-                      : !found.nearest                     ? wrong_hit
-                      : !numbers.surface                   ? wrong_miss
-                      : *numbers.surface == *found.nearest ? right
-                                                           : wrong_surface;
-    if (found.nearest && numbers.verdict == right) numbers.bits_lost = lost(numbers.found_t, found.t->exact(), scalar);
+    const ExhaustiveSearch search = true_hits(*engine_, ray);
+    const auto& nearest = search.nearest();
+    numbers.verdict = !nearest && !numbers.surface           ? right
+                      : !nearest                             ? wrong_hit
+                      : !numbers.surface                     ? wrong_miss
+                      : *numbers.surface == nearest->surface ? right
+                                                             : wrong_surface;
+    if (nearest && numbers.verdict == right)
+        numbers.bits_lost = lost(numbers.found_t, search.exact_t(*nearest).exact(), scalar);
 }
 
 }  // namespace glassbox

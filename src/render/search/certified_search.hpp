@@ -57,21 +57,16 @@ public:
         return best;
     }
 
-    /// The same hit in the form that PlainSearch returns.
     template <class Probe>
     std::optional<Hit<double>> trace(const Ray<double>& ray, Probe& probe) const {
-        if (!is_valid(ray)) return {};
-        const std::optional<ProvenHit> hit = trace_proven(ray, probe);
-        if (!hit) return {};
-        return Hit<double>{hit->surface, hit->told_t};
+        return nearest_hit(*this, ray, probe);
     }
+
+    /// To ask about single surfaces.
+    const FilteredPredicates<ListedSurfaces>& predicates() const { return predicates_; }
 
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
         return predicates_.normal_at(ray, hit);
-    }
-    Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const { return predicates_.sharpened(ray, hit); }
-    std::optional<TrueT> true_t(const Ray<double>& ray, std::size_t surface) const {
-        return predicates_.true_t(ray, surface);
     }
 
 private:

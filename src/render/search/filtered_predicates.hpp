@@ -262,4 +262,13 @@ private:
     bool only_exact_;
 };
 
+/// What a search proves to be the nearest hit, in the form that PlainSearch returns it; none for an invalid ray.
+template <class Search, class Probe>
+std::optional<Hit<double>> nearest_hit(const Search& search, const Ray<double>& ray, Probe& probe) {
+    if (!is_valid(ray)) return {};
+    const std::optional<ProvenHit> hit = search.trace_proven(ray, probe);
+    if (!hit) return {};
+    return Hit<double>{hit->surface, hit->told_t};
+}
+
 }  // namespace glassbox

@@ -78,7 +78,7 @@ struct MeasureOverlay {
 
         bool operator==(const Request&) const = default;
     };
-    using Result = std::shared_ptr<const MeasuredPlanes>;
+    using Result = std::shared_ptr<const MeasuredChannels>;
 
     static std::optional<Request> wanted(const ViewerState& state) {
         const Measurement* const what = find_measurement(state.overlay.measurement);
@@ -92,7 +92,8 @@ struct MeasureOverlay {
         const auto measured = [&](const Scene& scene, int factor, const Job& job) {
             std::vector<Channel> channels =
                 measure(scene, request.seen.setup.options, std::span(&request.what, 1), job).front();
-            return std::make_shared<const MeasuredPlanes>(MeasuredPlanes{request.what, std::move(channels), factor});
+            return std::make_shared<const MeasuredChannels>(
+                MeasuredChannels{request.what, std::move(channels), factor});
         };
         coarse_to_fine(applied(*seen.scene, seen.setup), background_job(seen, run), run.pace, measured, deliver);
     }

@@ -22,7 +22,7 @@ struct Picture {
 };
 
 /// What a measurement measured, perhaps coarsely.
-struct MeasuredPlanes {
+struct MeasuredChannels {
     const Measurement* what = nullptr;
     std::vector<Channel> channels;
     int factor = 1;
@@ -35,11 +35,11 @@ struct Results {
     /// The state of the learner's picture; null if it is not shown, or nothing is known yet. While it has no drawing of
     /// its own, `other` is the last drawing; otherwise `other` is that drawing.
     std::shared_ptr<const learn::mine::PictureUpdate> mine;
-    std::shared_ptr<const MeasuredPlanes> overlay;  ///< null: none
-    std::shared_ptr<const Story> story;             ///< of the pinned pixel; null: none
-    std::vector<Event> timeline;                    ///< of that story; empty without one
-    std::shared_ptr<const Story> compared;          ///< of the second pinned pixel; null: none
-    std::shared_ptr<const BoxLevels> boxes;         ///< the engine's hierarchy; null: not drawn, or not there yet
+    std::shared_ptr<const MeasuredChannels> overlay;  ///< null: none
+    std::shared_ptr<const Story> story;               ///< of the pinned pixel; null: none
+    std::vector<Event> timeline;                      ///< of that story; empty without one
+    std::shared_ptr<const Story> compared;            ///< of the second pinned pixel; null: none
+    std::shared_ptr<const BoxLevels> boxes;           ///< the engine's hierarchy; null: not drawn, or not there yet
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
     std::uint64_t mine_serial = 0;
 

@@ -122,7 +122,7 @@ void draw_ticks(ImDrawList& list, const Plot& plot) {
 
 /// The value measured at a pixel; none while there is only a coarse picture.
 std::optional<double> value_at(const Frame& frame, int axis, const std::optional<Pixel>& pixel) {
-    const MeasuredPlanes& measured = *frame.results.overlay;
+    const MeasuredChannels& measured = *frame.results.overlay;
     const Channel& channel = measured.channels[static_cast<std::size_t>(std::max(axis, 0))];
     if (!pixel || measured.factor > 1 || pixel->x >= channel.width || pixel->y >= channel.height) return {};
     return channel.values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(channel.width) +
@@ -161,7 +161,7 @@ void draw_pins(ImDrawList& list, const Plot& plot) {
 }
 
 void say_pin(const Frame& frame, const std::optional<Pixel>& pixel, ImU32 color, const char* name) {
-    const MeasuredPlanes& measured = *frame.results.overlay;
+    const MeasuredChannels& measured = *frame.results.overlay;
     std::string values;
     for (std::size_t i = 0; i < measured.channels.size(); ++i) {
         const auto value = value_at(frame, static_cast<int>(i), pixel);

@@ -161,7 +161,7 @@ void faint(const Frame& frame, std::string_view text) {
 void draw_legend(const Frame& frame) {
     ViewerState& state = frame.state;
     opacity(state);
-    const MeasuredPlanes* measured = frame.results.overlay.get();
+    const MeasuredChannels* measured = frame.results.overlay.get();
     const std::vector<Distribution>& distributions = frame.pictures.distributions();
     if (!measured || measured->what->name != state.overlay.measurement || distributions.empty())
         return faint(frame, "… being measured");
