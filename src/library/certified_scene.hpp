@@ -15,7 +15,8 @@ namespace engine {
 class Engine;
 }
 
-/// Where a ray meets a surface: the true t, in units of |D|, lies within t ± t_error.
+/// Where a ray meets a surface: the true t, in units of |D|, lies within t ± t_error. Both are infinite if t is larger
+/// than any double; the order of hits is right all the same.
 struct CertifiedHit {
     std::size_t surface;
     double t, t_error;

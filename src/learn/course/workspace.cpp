@@ -53,7 +53,8 @@ Workspace open_workspace(const fs::path& here, const fs::path& folder) {
     workspace.folder = folder.empty() ? workspace.usual_folder : fs::absolute(here / folder).lexically_normal();
     if (!workspace.folder.has_filename()) workspace.folder = workspace.folder.parent_path();  // "my/"
     if (fs::exists(workspace.folder, none) && !fs::is_directory(workspace.folder, none))
-        throw error_at({folder.string()}, "this is not a folder; name a folder, or one that is to be made");
+        throw error_at({(folder.empty() ? workspace.folder : folder).string()},
+                       "this is not a folder; name a folder, or one that is to be made");
     workspace.exercises = read_exercises(workspace.root);
     return workspace;
 }
