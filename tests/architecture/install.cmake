@@ -52,7 +52,7 @@ in_elsewhere(1 ${glassbox} learn test 1)
 expect_said("✓ dot")
 
 if(EXAMPLE)
-  in_elsewhere(0 ${CMAKE_COMMAND} -S ${EXAMPLE} -B example -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX}
+  in_elsewhere(0 ${CMAKE_COMMAND} -G ${GENERATOR} -S ${EXAMPLE} -B example -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX}
     -DCMAKE_CXX_FLAGS=${FLAGS})
   in_elsewhere(0 ${CMAKE_COMMAND} --build example)
   in_elsewhere(0 ${elsewhere}/example/asks_glassbox)
