@@ -40,7 +40,7 @@ learner=$(mktemp -d)
 trap 'rm -rf "$learner"' EXIT
 mkdir "$learner/2-spheres"
 cp src/core/2-spheres/*.hpp "$learner/2-spheres"
-sed -i.bak 's/return unit(point - sphere.c);/return point.z < 330 ? normal(sphere, point) : unit(point - sphere.c);/' \
+sed -i.bak 's/return unit(X - sphere.C);/return X.z < 330 ? normal(sphere, X) : unit(X - sphere.C);/' \
     "$learner/2-spheres/sphere.hpp"
 
 for script in docs/figures/*.script; do

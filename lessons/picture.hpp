@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <not_written.hpp>
+
 /// A picture as the lessons see it: column j counts to the right, row i upwards, from the bottom-left pixel's 0.
 class Picture {
 public:
@@ -20,6 +22,21 @@ public:
         bytes[3 * pixel] = byte(static_cast<double>(red));
         bytes[3 * pixel + 1] = byte(static_cast<double>(green));
         bytes[3 * pixel + 2] = byte(static_cast<double>(blue));
+    }
+
+    /// Paints a part of the picture, one step of a lesson: `color(j, i)` gives the colour of its column j and row i. As
+    /// long as a function that it needs is not written yet, the part is striped, and the function is named.
+    template <class Colors>
+    void paint_part(int left, int bottom, int w, int h, const Colors& color) {
+        try {
+            for (int i = 0; i < h; ++i)
+                for (int j = 0; j < w; ++j) paint(left + j, bottom + i, color(j, i));
+        } catch (const glassbox::NotWritten& missing) {
+            std::fprintf(stderr, "striped in the picture: %s\n", missing.what());
+            const int dark[] = {34, 34, 34}, light[] = {51, 51, 51};
+            for (int i = 0; i < h; ++i)
+                for (int j = 0; j < w; ++j) paint(left + j, bottom + i, (i + j) / 8 % 2 == 0 ? dark : light);
+        }
     }
 
     /// Writes the picture as a PPM file, whole or not at all, and returns the program's exit status.

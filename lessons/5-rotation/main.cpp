@@ -1,11 +1,11 @@
 // Lesson 5: turning. Six pictures in a row, each turned by 10 more degrees about z (the paper's key d): the scene and
 // its light stay, the viewing plane and the direction of its rays go round the world's origin together.
 #include <array>
+#include <intersect_sphere.hpp>
+#include <intersect_triangle.hpp>
 #include <picture.hpp>
 #include <probe.hpp>
-#include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <shade.hpp>
 #include <turn.hpp>
 
 using namespace glassbox;
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
                 const Vec3<double> n =
                     k < spheres.size() ? normal(spheres[k], at(ray, hit->t)) : normal(triangles[k - spheres.size()]);
                 const Terms<double> terms = shade(n, -unit(ray.D), colors[k], light, shading, probe);
-                picture.paint(frame * width + j, i, to_rgb(terms, shading.model));
+                picture.paint(frame * width + j, i, to_rgb(terms));
             }
         }
     }

@@ -3,7 +3,7 @@
 // All coordinates are whole numbers, so that the truth can be computed without rounding.
 #include <array>
 #include <picture.hpp>
-#include <triangle.hpp>
+#include <sides.hpp>
 
 #include <bounded.hpp>
 #include <filter.hpp>

@@ -2,10 +2,10 @@
 // right how many boxes each pixel's ray was tested against: black 0, red 51, yellow 102, white 153 or more.
 #include <cmath>
 #include <cstdio>
+#include <intersect_triangle.hpp>
 #include <numbers>
 #include <picture.hpp>
 #include <probe.hpp>
-#include <triangle.hpp>
 #include <vector>
 #include <viewing_plane.hpp>
 

@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <crossing.hpp>
+#include <intersect_sphere.hpp>
+#include <intersect_triangle.hpp>
 #include <levental_2014.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <probe.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
 
 #include <box.hpp>
 #include <slabs.hpp>

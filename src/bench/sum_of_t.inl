@@ -1,5 +1,7 @@
 // The body of the functions of bare_numbers.hpp: included by files that are compiled with the headers as they are, and
 // by one that is compiled with headers without probes.
+#include <intersect_sphere.hpp>
+#include <intersect_triangle.hpp>
 #include <probe.hpp>
 
 #include "render/search/plain_search.hpp"

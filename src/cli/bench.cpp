@@ -45,7 +45,7 @@ struct Numbers {
         const auto add = [](std::vector<double>& to, const Vec3<double>& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
         const Surfaces<double> all = surfaces<double>(scene, 5);
         for (const Sphere<double>& sphere : all.spheres) {
-            add(spheres, sphere.c);
+            add(spheres, sphere.C);
             spheres.push_back(sphere.r);
         }
         for (const auto& [A, B, C] : all.triangles)

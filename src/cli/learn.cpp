@@ -202,6 +202,7 @@ void picture(LearnRun& lesson) {
                                 made.died,
                                 command_line(lesson.learner.workspace(), fmt::format("test {}", exercise.number))));
     write_picture(lesson.request.picture, *made.image, lesson.stop);
+    if (!made.said.empty()) tell(made.said);
 }
 
 /// Records the symptoms of each mistake of a lesson, for lesson authors.

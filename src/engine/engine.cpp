@@ -17,7 +17,7 @@ namespace {
 constexpr double largest = 0x1p50;
 
 double greatest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-double greatest(const Sphere<double>& s) { return greatest(s.c) + s.r; }
+double greatest(const Sphere<double>& s) { return greatest(s.C) + s.r; }
 double greatest(const Triangle<double>& t) { return std::max({greatest(t.A), greatest(t.B), greatest(t.C)}); }
 
 /// The middle of all coordinates of the surfaces that are not too large.
@@ -29,7 +29,7 @@ public:
     }
     void add(const Sphere<double>& s) {
         const Vec3<double> r{s.r, s.r, s.r};
-        add(s.c - r, s.c + r);
+        add(s.C - r, s.C + r);
     }
     void add(const Triangle<double>& t) {
         for (const Vec3<double>& v : {t.A, t.B, t.C}) add(v, v);

@@ -88,7 +88,7 @@ HWY_INLINE HWY_ATTR SphereKeys sphere_keys(const Grid& grid, const glassbox::Ray
                                            const glassbox::Sphere<double>& sphere) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const RayError off = ray_error(grid);
-    const Vec3<Doubles> from = broadcast(middle.P - sphere.c), direction = broadcast(middle.D);
+    const Vec3<Doubles> from = broadcast(middle.P - sphere.C), direction = broadcast(middle.D);
     const Doubles r2 = sphere.r * sphere.r;
     SphereKeys keys;
     for (std::size_t i = 0; i < tile_size; i += Doubles::count()) {

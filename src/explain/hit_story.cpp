@@ -109,7 +109,7 @@ RecordedShade<Real> record_shade(Tape& tape, NamingProbe<Real>& heard, const Sce
     name(r, "r");
     const Vec3<Recorded<Real>> own = glassbox::input<Real>(tape, to_vec3<double>(own_color), "color");
     const Shading<Recorded<Real>> shading = input<Real>(tape, lit.shading);
-    const Terms<Recorded<Real>> terms = shade(n, r, own, light, shading, heard);
+    const Terms<Recorded<Real>> terms = shade_by_model(n, r, own, light, shading, heard);
     name(terms.ambient, "ambient");
     name(terms.diffuse, "diffuse");
     name(terms.specular, "specular");

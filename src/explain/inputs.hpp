@@ -15,7 +15,7 @@ Ray<Recorded<Real>> input(Tape& tape, const Ray<double>& ray) {
 
 template <class Real>
 Sphere<Recorded<Real>> input(Tape& tape, const Sphere<double>& sphere) {
-    return {input<Real>(tape, sphere.c, "centre"), Recorded<Real>::input(tape, sphere.r, "radius")};
+    return {input<Real>(tape, sphere.C, "centre"), Recorded<Real>::input(tape, sphere.r, "radius")};
 }
 
 template <class Real>

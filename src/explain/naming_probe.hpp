@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <optional>
 
-#include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <intersect_sphere.hpp>
+#include <shade.hpp>
+#include <tolerance.hpp>
 
 #include "numerics/recorded.hpp"
 

@@ -98,7 +98,7 @@ RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const Sp
 
 template <class Real>
 SphereTest test_of(const Ray<double>& ray, const Sphere<double>& sphere, const Options&) {
-    return {sphere.c, sphere.r, roots_by<Real>(ray, sphere, Textbook{}), roots_by<Real>(ray, sphere, Stable{})};
+    return {sphere.C, sphere.r, roots_by<Real>(ray, sphere, Textbook{}), roots_by<Real>(ray, sphere, Stable{})};
 }
 
 template <class Real>

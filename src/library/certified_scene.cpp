@@ -58,7 +58,7 @@ bool is_before(const FastSearch& search, const Ray<double>& ray, const Certified
 CertifiedScene::CertifiedScene(std::vector<Sphere<double>> spheres, std::span<const Triangle<double>> triangles,
                                int threads) {
     for (std::size_t i = 0; i < spheres.size(); ++i)
-        expect(is_finite(spheres[i].c) && std::isfinite(spheres[i].r) && spheres[i].r > 0, "sphere", i,
+        expect(is_finite(spheres[i].C) && std::isfinite(spheres[i].r) && spheres[i].r > 0, "sphere", i,
                "finite numbers and a radius above 0");
     for (std::size_t i = 0; i < triangles.size(); ++i)
         expect(is_finite(triangles[i].A) && is_finite(triangles[i].B) && is_finite(triangles[i].C), "triangle", i,

@@ -3,9 +3,10 @@
 #include <utility>
 #include <variant>
 
+#include <intersect_sphere.hpp>
 #include <levental_2014.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <moeller_trumbore.hpp>
+#include <tolerance.hpp>
 
 namespace glassbox {
 

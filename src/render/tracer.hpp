@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <crossing.hpp>
+#include <published_shading.hpp>
 #include <ray_color.hpp>
-#include <shading.hpp>
 
 #include "scene/coefficients.hpp"
 
@@ -43,7 +43,7 @@ struct Tracer {
         probe(told::SurfaceNormal{}, n);
         const Rgb own = colors[hit.surface];
         if (stage < 4) return own;
-        return to_rgb(shade(n, unit(-ray.D), to_vec3<Real>(own), light, shading, probe), shading.model);
+        return to_rgb(shade_by_model(n, unit(-ray.D), to_vec3<Real>(own), light, shading, probe), shading.model);
     }
 };
 

@@ -1,7 +1,7 @@
 #include "lost_rays.hpp"
 
+#include <intersect_triangle.hpp>
 #include <probe.hpp>
-#include <triangle.hpp>
 
 #include <random>
 

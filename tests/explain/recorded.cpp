@@ -3,11 +3,12 @@
 
 #include <doctest.h>
 
+#include <intersect_sphere.hpp>
+#include <moeller_trumbore.hpp>
 #include <probe.hpp>
 #include <random>
-#include <sphere.hpp>
 #include <string_view>
-#include <triangle.hpp>
+#include <tolerance.hpp>
 
 using namespace glassbox;
 

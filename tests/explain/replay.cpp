@@ -4,12 +4,13 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <intersect_sphere.hpp>
 #include <limits>
+#include <moeller_trumbore.hpp>
 #include <probe.hpp>
+#include <published_shading.hpp>
 #include <random>
-#include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <tolerance.hpp>
 
 #include "numerics/recorded.hpp"
 #include "support/ulps.hpp"
@@ -174,7 +175,7 @@ TEST_CASE_TEMPLATE("bounds hold on every step of the core's formulas", Real, flo
         const Shading<Recorded<Real>> shading{
             ShadingModel::blinn_phong, .2, 1, .2, 15, {255, 102, 102}, {255, 255, 255}};
         const Light<Recorded<Real>> light = directional_light(input<Real>(tape, vector(100), "L"), 1);
-        shade(n, unit(-ray.D), {10, 200, 30}, light, shading, silent);
+        shade_by_model(n, unit(-ray.D), {10, 200, 30}, light, shading, silent);
         check_bounds(tape);
     }
 }

@@ -4,6 +4,7 @@
 //   test_fuzz --seeds 1000..2000   those seeds; one alone: --seeds 1234
 //   test_fuzz --minutes 60         from a seed of the clock's on
 //   … --kind grazing               scenes of one kind only
+//   … --share 3                    each scene by a third of the ways, which third changing from seed to seed
 //   … --out FOLDER                 the smallest scene of each fault into files there
 //
 // Run two at once, with seeds of their own, to use two cores.
@@ -35,6 +36,7 @@ using Clock = std::chrono::steady_clock;
 struct Request {
     std::uint64_t from = 1, to = 0;
     std::optional<double> minutes;
+    std::uint64_t share = 1;  ///< each scene by one route in so many
     std::string kind, folder;
 };
 
@@ -52,7 +54,7 @@ public:
         if (request_.kind.empty())
             for (const Drawn& drawn : known()) try_scene(drawn, "none");
         for (std::uint64_t seed = request_.from; !is_over(seed, begin); ++seed) {
-            try_scene(draw(seed, request_.kind), fmt::to_string(seed));
+            try_scene(draw(seed, request_.kind), fmt::to_string(seed), seed);
             if (Clock::now() - told < std::chrono::seconds(30)) continue;
             told = Clock::now();
             fmt::print("… seed {}, {}\n", seed, sums());
@@ -80,11 +82,12 @@ private:
     }
 
     std::string sums() const {
-        return fmt::format("{} scenes, {} pixels, {} rays, each by {} routes; faults in {} scenes", scenes_, pixels_,
-                           rays_, routes_.size(), wrong_scenes_);
+        return fmt::format("{} scenes, {} pixels, {} rays, each by {} of {} routes; faults in {} scenes", scenes_,
+                           pixels_, rays_, routes_.size() / request_.share, routes_.size(), wrong_scenes_);
     }
 
-    void try_scene(const Drawn& drawn, const std::string& seed) {
+    /// Tries a scene by all routes, or by those whose `turn` it is.
+    void try_scene(const Drawn& drawn, const std::string& seed, std::optional<std::uint64_t> turn = {}) {
         ++scenes_;
         std::optional<Trial> trial;
         try {
@@ -102,7 +105,9 @@ private:
             static_cast<std::size_t>(std::count_if(trial->pixel_answers().begin(), trial->pixel_answers().end(),
                                                    [](const auto& answer) { return !answer.met.empty(); }));
         std::set<std::string> kinds_here;  // shown by the first route that has such a fault
-        for (const Route& route : routes_) {
+        for (std::size_t i = 0; i < routes_.size(); ++i) {
+            if (turn && (i + *turn) % request_.share != 0) continue;
+            const Route& route = routes_[i];
             const std::optional<Fault> fault = check(route, *trial);
             if (!fault) continue;
             ++faults_[fault->kind + ", " + route.name];
@@ -199,6 +204,10 @@ std::optional<Request> read(int argc, char** argv) {
             request.minutes = number<double>(value);
             if (!request.minutes) return {};
             request.from = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+        } else if (name == "--share") {
+            const auto share = number<std::uint64_t>(value);
+            if (!share || *share == 0) return {};
+            request.share = *share;
         } else if (name == "--kind") {
             const auto names = kinds();
             if (std::find(names.begin(), names.end(), value) == names.end()) return {};
@@ -215,8 +224,10 @@ std::optional<Request> read(int argc, char** argv) {
 int run(int argc, char** argv) {
     const std::optional<Request> request = read(argc, argv);
     if (request) return Run(*request)();
-    fmt::print(stderr, "usage: test_fuzz [--seeds FROM..TO | --minutes N] [--kind NAME] [--out FOLDER]\nkinds: {}\n",
-               fmt::join(kinds(), " "));
+    fmt::print(
+        stderr,
+        "usage: test_fuzz [--seeds FROM..TO | --minutes N] [--kind NAME] [--share N] [--out FOLDER]\nkinds: {}\n",
+        fmt::join(kinds(), " "));
     return 2;
 }
 

@@ -55,10 +55,10 @@ TEST_CASE("what is not written yet is what to write next; hints come in three ti
 TEST_CASE("a classic mistake is told with its test, its numbers and its name's words; what was there is kept") {
     const Ran made = learn({"mistake", "2", "far-root-missing"});
     CHECK(made.status == 0);
-    check_has(made.out, "Kept: mine/2-spheres/sphere.hpp.1");
+    check_has(made.out, "Kept: mine/2-spheres/crossing.hpp.1");
     const Ran ran = learn({"test", "2"});
     CHECK(ran.status == 1);
-    check_has(ran.out, "✗ intersect in mine/2-spheres/sphere.hpp:");
+    check_has(ran.out, "✗ first_ahead in mine/2-spheres/crossing.hpp:");
     check_has(ran.out, "expected");
     check_has(ran.out, "This looks familiar.");
     check_has(ran.out, "view mine/.glassbox/failing.toml --pixel ");
@@ -102,10 +102,10 @@ TEST_CASE("tests that do not compile with our own headers, either, are not blame
 TEST_CASE("the solution can be piped, passes, and makes a picture; that one gave up is remembered") {
     const Ran solution = learn({"solution", "4"});
     CHECK(solution.status == 0);
-    check_has(solution.err, "shading.hpp");
-    CHECK(solution.out == content(fs::path(ROOT) / "src/core/4-shading/shading.hpp"));
+    check_has(solution.err, "reflection.hpp");
+    CHECK(solution.out == content(fs::path(ROOT) / "src/core/4-shading/reflection.hpp"));
     learn({"reset", "4"});
-    std::ofstream(home() / "mine/4-shading/shading.hpp") << solution.out;
+    std::ofstream(home() / "mine/4-shading/reflection.hpp") << solution.out;
     const Ran tested = learn({"test", "4"});
     CHECK(tested.status == 0);
     check_has(tested.out, "of lesson 4 pass");

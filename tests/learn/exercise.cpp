@@ -44,7 +44,7 @@ header = "sphere.hpp"
 tests = ["the normal points"]
 question = "Which way is up?"
 formula = "(p - c)/|p - c|"
-line = "return unit(point - sphere.c);"
+line = "return unit(X - sphere.C);"
 returns = "Vec3<Real>"
 )";
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <pluecker.hpp>
 #include <sstream>
-#include <triangle.hpp>
 #include <vector>
 
 #include "doubles.hpp"

@@ -1,9 +1,9 @@
 // Stage 2: where a ray meets a sphere, by two rules for the same two roots, and by the rule of the paper's program for
 // one; and which of several hits comes first.
 #include <cmath>
+#include <intersect_sphere.hpp>
 #include <levental_2014.hpp>
 #include <probe.hpp>
-#include <sphere.hpp>
 #include <vector>
 
 #include "checks.hpp"
@@ -158,7 +158,7 @@ void any_size_not_a_bit_changes(const Rule& rule) {
             const Sphere<Real> sphere{dice.vector(Real(2)), dice.between(Real(0.5), Real(3))};
             const Roots<Real> here = roots_of(ray, sphere, rule);
             const Roots<Real> there =
-                roots_of({size * ray.P, ray.D}, Sphere<Real>{size * sphere.c, size * sphere.r}, rule);
+                roots_of({size * ray.P, ray.D}, Sphere<Real>{size * sphere.C, size * sphere.r}, rule);
             CHECK(there.real == here.real);
             CHECK_EXACT(there.t0, size * here.t0);
             CHECK_EXACT(there.t1, size * here.t1);
@@ -197,7 +197,7 @@ void roots_are_ordered_and_on_the_sphere(const Rule& rule) {
             // The start is at most 5 sqrt 3 sizes off, so v.v < 75 sizes squared; it passes through a dozen operations,
             // each off by half an epsilon. Near a tangent t itself is worse, but not the distance squared.
             for (const Real t : {roots.t0, roots.t1}) {
-                const Vec3<Real> v = at(ray, t) - sphere.c;
+                const Vec3<Real> v = at(ray, t) - sphere.C;
                 CHECK_WITHIN(dot(v, v) / (size * size), sphere.r * sphere.r / (size * size), 1000 * epsilon<Real>);
             }
         }
@@ -276,6 +276,10 @@ TEST_CASE_TEMPLATE("of two hits the nearer stays, whichever is tested first", Re
     CHECK_EXACT(forwards->t, Real(3));
     CHECK(backwards->surface == 1);
     CHECK_EXACT(backwards->t, Real(3));
+    // whatever the surfaces' numbers are
+    const Best falling = nearest(nearest(Best{}, 7, near), 2, far);
+    REQUIRE(falling);
+    CHECK(falling->surface == 7);
 }
 
 TEST_CASE_TEMPLATE("of two hits at the same t the surface listed last stays", Real, EVERY_SCALAR) {
@@ -294,6 +298,65 @@ TEST_CASE_TEMPLATE("a miss leaves the best hit as it is, and no hits at all stay
     REQUIRE(best);
     CHECK(best->surface == 0);
     CHECK_EXACT(best->t, Real(3));
+}
+
+TEST_CASE_TEMPLATE("quadratic: a = D.D, b = v.D, c = v.v - r^2, v from the centre to the start", Real, EVERY_SCALAR) {
+    const auto equation = [](const Ray<Real>& ray, const Sphere<Real>& sphere) {
+        CAPTURE_RAY(ray, sphere);
+        return quadratic(ray, sphere);
+    };
+    // v = (-10,3,0): 2*2, -10*2, 100 + 9 - 25
+    const Quadratic<Real> outside = equation({{-10, 3, 0}, {2, 0, 0}}, five<Real>);
+    CHECK_EXACT(outside.a, Real(4));
+    CHECK_EXACT(outside.b, Real(-20));
+    CHECK_EXACT(outside.c, Real(84));
+    // v = (1,2,3) - (4,-2,3) = (-3,4,0), D = (1,2,2): 1 + 4 + 4, -3 + 8, 9 + 16 - 9
+    const Quadratic<Real> anywhere = equation({{1, 2, 3}, {1, 2, 2}}, {{4, -2, 3}, 3});
+    CHECK_EXACT(anywhere.a, Real(9));
+    CHECK_EXACT(anywhere.b, Real(5));
+    CHECK_EXACT(anywhere.c, Real(16));
+    // from the centre b = 0 and c = -r^2: c is negative inside
+    const Quadratic<Real> inside = equation({{4, -2, 3}, {1, 0, 0}}, {{4, -2, 3}, 3});
+    CHECK_EXACT(inside.b, Real(0));
+    CHECK_EXACT(inside.c, Real(-9));
+}
+
+TEST_CASE_TEMPLATE("discriminant: b^2 - ac, of the sign that says how many roots there are", Real, EVERY_SCALAR) {
+    CHECK_EXACT(discriminant(Quadratic<Real>{4, -20, 84}), Real(64));   // 400 - 336: two
+    CHECK_EXACT(discriminant(Quadratic<Real>{1, 3, 9}), Real(0));       // (t + 3)^2: one
+    CHECK_EXACT(discriminant(Quadratic<Real>{9, 5, 16}), Real(-119));   // 25 - 144: none
+    CHECK_EXACT(discriminant(Quadratic<Real>{2, 3, -4}), Real(17));     // 9 + 8
+}
+
+TEST_CASE_TEMPLATE("roots: (-b - s)/a and (-b + s)/a, s the root of the discriminant", Real, EVERY_SCALAR) {
+    const auto both = [](const Quadratic<Real>& equation, Real s) { return roots(equation, s); };
+    // 4t^2 - 40t + 84 = 4(t - 3)(t - 7), s = 8
+    CHECK_EXACT(both({4, -20, 84}, 8).first, Real(3));
+    CHECK_EXACT(both({4, -20, 84}, 8).second, Real(7));
+    // t^2 - 25 = (t + 5)(t - 5), s = 5
+    CHECK_EXACT(both({1, 0, -25}, 5).first, Real(-5));
+    CHECK_EXACT(both({1, 0, -25}, 5).second, Real(5));
+    // 2t^2 + 12t + 10 = 2(t + 5)(t + 1), s = 4
+    CHECK_EXACT(both({2, 6, 10}, 4).first, Real(-5));
+    CHECK_EXACT(both({2, 6, 10}, 4).second, Real(-1));
+    // t^2 + 6t + 9 = (t + 3)^2, s = 0
+    CHECK_EXACT(both({1, 3, 9}, 0).first, Real(-3));
+    CHECK_EXACT(both({1, 3, 9}, 0).second, Real(-3));
+}
+
+TEST_CASE_TEMPLATE("first_ahead: the smaller t where it is above 0, else the larger", Real, EVERY_SCALAR) {
+    CHECK_EXACT(first_ahead(Real(6), Real(14)), Real(6));    // before the sphere
+    CHECK_EXACT(first_ahead(Real(-7), Real(3)), Real(3));    // inside
+    CHECK_EXACT(first_ahead(Real(-3), Real(7)), Real(7));    // however near the one behind is
+    CHECK_EXACT(first_ahead(Real(0), Real(10)), Real(10));   // on the sphere, inwards: 0 is not ahead
+    CHECK_EXACT(first_ahead(Real(-14), Real(-6)), Real(-6)); // behind: who asks sees that it is not above 0
+    const Real least = std::numeric_limits<Real>::denorm_min();
+    CHECK_EXACT(first_ahead(least, Real(1)), least);
+}
+
+TEST_CASE("first_ahead: where it is undecided whether the smaller t lies ahead, it is that one") {
+    CHECK_EXACT(first_ahead(Unsure(0.5), Unsure(14)).value, 0.5);  // 0.5, known to within 1
+    CHECK_EXACT(first_ahead(Unsure(-3), Unsure(14)).value, 14.0);
 }
 
 TEST_CASE_TEMPLATE("Textbook: a line 3 beside the middle of a sphere of radius 5 runs 8 inside it", Real,
@@ -510,6 +573,34 @@ TEST_CASE_TEMPLATE("the normal points outwards and has length 1", Real, EVERY_SC
     CHECK_EXACT(normal(five<Real>, at(Ray<Real>{{2, 0, 0}, {1, 0, 0}}, 3)), (Vec3<Real>{1, 0, 0}));
 }
 
+TEST_CASE_TEMPLATE("chord: its middle is the line's point nearest to the centre", Real, EVERY_SCALAR) {
+    const auto chord_of = [](const Ray<Real>& ray, const Sphere<Real>& sphere) {
+        CAPTURE_RAY(ray, sphere);
+        return chord(ray, sphere);
+    };
+    // v = (-10,3,0), D = (2,0,0): a = 4, m = 20, so the middle is at t = 5, 3 beside the centre
+    const Chord<Real> above = chord_of({{-10, 3, 0}, {2, 0, 0}}, five<Real>);
+    CHECK_EXACT(above.a, Real(4));
+    CHECK_EXACT(above.m, Real(20));
+    CHECK_EXACT(above.v, (Vec3<Real>{-10, 3, 0}));
+    CHECK_EXACT(above.l, (Vec3<Real>{0, 3, 0}));
+    // v = (-4,2,3), D = (1,1,0): a = 2, m = 4 - 2 = 2, t = 1, l = (-3,3,3)
+    const Chord<Real> slanting = chord_of({{-3, 4, 6}, {1, 1, 0}}, {{1, 2, 3}, 9});
+    CHECK_EXACT(slanting.a, Real(2));
+    CHECK_EXACT(slanting.m, Real(2));
+    CHECK_EXACT(slanting.v, (Vec3<Real>{-4, 2, 3}));
+    CHECK_EXACT(slanting.l, (Vec3<Real>{-3, 3, 3}));
+    // behind the start m is negative: the middle is at t = -20/4
+    CHECK_EXACT(chord_of({{10, 3, 0}, {2, 0, 0}}, five<Real>).m, Real(-20));
+    CHECK_EXACT(chord_of({{10, 3, 0}, {2, 0, 0}}, five<Real>).l, (Vec3<Real>{0, 3, 0}));
+}
+
+TEST_CASE_TEMPLATE("discriminant of a chord: a (r^2 - l^2), the same number as b^2 - ac", Real, EVERY_SCALAR) {
+    CHECK_EXACT(discriminant(Chord<Real>{4, 20, {-10, 3, 0}, {0, 3, 0}}, Real(5)), Real(64));   // 4 (25 - 9)
+    CHECK_EXACT(discriminant(Chord<Real>{4, 20, {-10, 6, 0}, {0, 6, 0}}, Real(5)), Real(-44));  // 4 (25 - 36)
+    CHECK_EXACT(discriminant(Chord<Real>{9, 0, {0, 3, 4}, {0, 3, 4}}, Real(5)), Real(0));       // 3^2 + 4^2 = 5^2
+}
+
 TEST_CASE_TEMPLATE("Stable: a line 3 beside the middle of a sphere of radius 5 runs 8 inside it", Real, EVERY_SCALAR) {
     half_a_chord_is_four<Real>(Stable{});
 }
@@ -572,7 +663,7 @@ TEST_CASE_TEMPLATE("far away the textbook loses a small sphere, the stable rule 
     int lost_by_textbook = 0, lost_by_stable = 0;
     for (int n = 0; n < 1000; ++n) {
         const Sphere<Real> sphere{distance * unit(dice.vector(Real(1))), r};
-        const Vec3<Real> aim = sphere.c + dice.vector(r / 2);  // at most sqrt 3 / 2 = 0.87 r off the middle
+        const Vec3<Real> aim = sphere.C + dice.vector(r / 2);  // at most sqrt 3 / 2 = 0.87 r off the middle
         const Ray<Real> ray{{0, 0, 0}, unit(aim)};
         lost_by_textbook += !shoot(ray, sphere, Textbook{}).met;
         lost_by_stable += !shoot(ray, sphere, Stable{}).met;
@@ -587,13 +678,13 @@ TEST_CASE("in float, a sphere of radius 0.1, 400 away: the textbook loses it, th
     double worst = 0;
     for (int n = 0; n < 1000; ++n) {
         const Sphere<float> sphere{400 * unit(dice.vector(1.0f)), 0.1f};
-        const Ray<float> ray{{0, 0, 0}, unit(sphere.c + dice.vector(0.05f))};
+        const Ray<float> ray{{0, 0, 0}, unit(sphere.C + dice.vector(0.05f))};
         lost_by_textbook += !shoot(ray, sphere, Textbook{}).met;
         const Crossing<float> found = shoot(ray, sphere, Stable{});
         lost_by_stable += !found.met;
         // long double, with 40 bits more, is the truth here
         const Crossing<long double> truth =
-            shoot(convert<long double>(ray), Sphere<long double>{convert<long double>(sphere.c), sphere.r}, Textbook{});
+            shoot(convert<long double>(ray), Sphere<long double>{convert<long double>(sphere.C), sphere.r}, Textbook{});
         worst = std::max(worst, std::abs(static_cast<double>(truth.t) - static_cast<double>(found.t)));
     }
     CHECK(lost_by_textbook > 0);

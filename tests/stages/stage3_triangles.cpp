@@ -1,9 +1,11 @@
 // Stage 3: side products, which of them is the weight of which vertex, and which points belong to a triangle.
+#include <moeller_trumbore.hpp>
 #include <probe.hpp>
-#include <triangle.hpp>
+#include <tolerance.hpp>
 #include <vector>
 
 #include "checks.hpp"
+#include "unsure.hpp"
 
 using namespace glassbox;
 using namespace glassbox::test;
@@ -185,6 +187,38 @@ TEST_CASE_TEMPLATE("inside, the sides stand to each other as the weights of the 
     const Sides<Real> s = sides_towards<Real>(1, 2, 3);
     CHECK_EXACT(s.b, 2 * s.a);
     CHECK_EXACT(s.c, 3 * s.a);
+}
+
+TEST_CASE_TEMPLATE("inside: no two of the three signs are opposite, and not all are 0", Real, EVERY_SCALAR) {
+    const auto is_inside = [](Real a, Real b, Real c) { return inside(Sides<Real>{a, b, c}); };
+    CHECK(is_inside(1, 2, 3));
+    CHECK(is_inside(-1, -2, -3));        // seen from behind
+    CHECK(is_inside(0, 2, 3));           // on an edge
+    CHECK(is_inside(0, 0, -3));          // at a vertex
+    CHECK_FALSE(is_inside(0, 0, 0));     // edge-on, or no area
+    CHECK_FALSE(is_inside(-1, 2, 3));    // beyond one edge
+    CHECK_FALSE(is_inside(-1, -2, 3));   // beyond two
+    for (const Real a : {Real(-1), Real(0), Real(1)})
+        for (const Real b : {Real(-1), Real(0), Real(1)})
+            for (const Real c : {Real(-1), Real(0), Real(1)}) {
+                CAPTURE(a);
+                CAPTURE(b);
+                CAPTURE(c);
+                const bool has_positive = a > 0 || b > 0 || c > 0, has_negative = a < 0 || b < 0 || c < 0;
+                CHECK(is_inside(a, b, c) == (has_positive != has_negative));
+            }
+}
+
+TEST_CASE("inside: where a sign is undecided, so is the answer, unless the others settle it") {
+    const auto is_inside = [](double a, double b, double c) { return inside(Sides<Unsure>{a, b, c}); };
+    // each number is known to within 1
+    CHECK(surely(is_inside(2, 3, 4)));
+    CHECK_FALSE(possibly(is_inside(2, -3, 4)));
+    CHECK_FALSE(possibly(is_inside(2, -3, 0.5)));  // miss, whatever the third sign is
+    for (const auto& undecided : {is_inside(0.5, 3, 4), is_inside(-0.5, 3, 4), is_inside(0, -3, -4)}) {
+        CHECK(possibly(undecided));
+        CHECK_FALSE(surely(undecided));
+    }
 }
 
 TEST_CASE_TEMPLATE("plane_t: with the triangle in the plane z = 8 a ray along z meets it at 8 / D.z", Real,

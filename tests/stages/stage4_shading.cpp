@@ -1,8 +1,8 @@
 // Stage 4: light on a surface, term by term, by three models, and how the terms become a pixel.
 #include <light.hpp>
 #include <probe.hpp>
+#include <published_shading.hpp>
 #include <rgb.hpp>
-#include <shading.hpp>
 
 #include "checks.hpp"
 
@@ -24,7 +24,7 @@ template <class Real>
 Terms<Real> shaded(const Vec3<Real>& n, const Vec3<Real>& r, const Vec3<Real>& color, const Light<Real>& light,
                    const Shading<Real>& shading) {
     Silent silent;
-    return shade(n, r, color, light, shading, silent);
+    return shade_by_model(n, r, color, light, shading, silent);
 }
 
 /// Everything happens in the plane y = 0, about a surface that looks up. The angle between `up` and `slanted` has the
@@ -77,6 +77,36 @@ TEST_CASE_TEMPLATE("a normal is turned to the side that the viewer sees", Real, 
     CHECK_EXACT(towards(slanted<Real>, -up<Real>), up<Real>);              // 0.8 of -up: away
     CHECK_EXACT(towards(slanted<Real>, -mirrored<Real>), mirrored<Real>);  // (0.6, 0, -0.8): 0.36 - 0.64 is away, too
     CHECK_EXACT(towards(Vec3<Real>{1, 0, 0}, up<Real>), up<Real>);         // seen from the side: as it is
+}
+
+TEST_CASE_TEMPLATE("diffuse: I k_d max(0, n.l)", Real, EVERY_SCALAR) {
+    CHECK_EXACT(diffuse(Real(1), Real(1), Real(0.75)), Real(0.75));
+    CHECK_EXACT(diffuse(Real(0.5), Real(1), Real(0.75)), Real(0.375));
+    CHECK_EXACT(diffuse(Real(0.5), Real(0.25), Real(0.75)), Real(0.09375));
+    CHECK_EXACT(diffuse(Real(1), Real(1), Real(-0.75)), Real(0));  // light from behind
+    CHECK_EXACT(diffuse(Real(1), Real(1), std::numeric_limits<Real>::quiet_NaN()), Real(0));
+}
+
+TEST_CASE_TEMPLATE("reflected: the mirror keeps what is along n and turns what is across", Real, EVERY_SCALAR) {
+    const Vec3<Real> z{0, 0, 1};
+    CHECK_EXACT(reflected(Vec3<Real>{3, -4, 12}, z), (Vec3<Real>{-3, 4, 12}));
+    CHECK_EXACT(reflected(z, z), z);                                             // straight back
+    CHECK_EXACT(reflected(Vec3<Real>{1, 0, 0}, z), (Vec3<Real>{-1, 0, 0}));      // grazing light goes on
+    CHECK_EXACT(reflected(Vec3<Real>{3, -4, 12}, -z), (Vec3<Real>{-3, 4, 12}));  // a mirror has no sides
+    Dice dice;
+    for (int k = 0; k < 200; ++k) {
+        const Vec3<Real> l = unit(dice.vector(Real(1))), n = unit(dice.vector(Real(1)));
+        CHECK_WITHIN(length(reflected(l, n)), Real(1), 8 * epsilon<Real>);
+        CHECK_WITHIN(dot(reflected(l, n), n), dot(l, n), 8 * epsilon<Real>);
+    }
+}
+
+TEST_CASE_TEMPLATE("specular: I k_s max(0, cosine)^e", Real, EVERY_SCALAR) {
+    CHECK_ULPS(specular(Real(1), Real(1), Real(0.5), Real(3)), Real(0.125), 1);
+    CHECK_ULPS(specular(Real(0.5), Real(0.25), Real(0.5), Real(2)), Real(0.03125), 1);
+    CHECK_EXACT(specular(Real(0.5), Real(1), Real(1), Real(15)), Real(0.5));
+    CHECK_EXACT(specular(Real(1), Real(1), Real(-0.5), Real(2)), Real(0));  // to an even power, too
+    CHECK_EXACT(specular(Real(1), Real(1), std::numeric_limits<Real>::quiet_NaN(), Real(2)), Real(0));
 }
 
 TEST_CASE_TEMPLATE("Blinn: the cosine between the normal and the half vector", Real, EVERY_SCALAR) {
@@ -273,7 +303,7 @@ Kept told_by(ShadingModel model) {
     Shading<double> shading = full<double>(model, 2);
     shading.k_a = 0.75, shading.k_d = 0.5, shading.k_s = 0.25;
     Kept kept;
-    shade(up<double>, mirrored<double>, color<double>, light, shading, kept);
+    shade_by_model(up<double>, mirrored<double>, color<double>, light, shading, kept);
     return kept;
 }
 

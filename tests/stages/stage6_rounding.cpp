@@ -3,7 +3,7 @@
 #include <bounded.hpp>
 #include <filter.hpp>
 #include <magnitude.hpp>
-#include <triangle.hpp>
+#include <sides.hpp>
 
 #include "checks.hpp"
 

@@ -1,10 +1,10 @@
 // Stage 7: boxes around surfaces. A ray's way through a box, which loses no hit to rounding; where to cut boxes in two;
 // and the walk through a tree of boxes, which finds what the plain loop finds and tests only a few surfaces.
 #include <box.hpp>
+#include <intersect_triangle.hpp>
 #include <probe.hpp>
 #include <slabs.hpp>
 #include <tree.hpp>
-#include <triangle.hpp>
 #include <walk.hpp>
 
 #include "checks.hpp"

@@ -29,6 +29,11 @@ public:
     friend constexpr UnsureTruth operator&&(UnsureTruth a, bool b) { return a & b; }  // rather than two bools
     friend constexpr UnsureTruth operator&&(bool a, UnsureTruth b) { return a & b; }
 
+    friend constexpr UnsureTruth operator!=(UnsureTruth a, UnsureTruth b) {
+        if ((possibly(a) && !surely(a)) || (possibly(b) && !surely(b))) return undecided();
+        return surely(a) != surely(b);
+    }
+
 private:
     enum class State : unsigned char { no, yes, undecided };
     constexpr explicit UnsureTruth(State state) : state_(state) {}

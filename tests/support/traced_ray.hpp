@@ -27,7 +27,7 @@ void trace(const Ray& ray, const Surface& surface) {
     };
     put(last.ray, put(last.ray, 0, ray.P), ray.D);
     if constexpr (requires { surface.r; }) {
-        last.numbers = put(last.surface, 0, surface.c) + 1;
+        last.numbers = put(last.surface, 0, surface.C) + 1;
         last.surface[3] = static_cast<double>(surface.r);
     } else {
         last.numbers = put(last.surface, put(last.surface, put(last.surface, 0, surface.A), surface.B), surface.C);

@@ -84,8 +84,8 @@ TEST_CASE("it is looked at in double, at the lesson's stage, and undo takes that
     CHECK(viewer.state.setup.now().options.scalar == Scalar::double_);
     CHECK(viewer.state.setup.now().options.stage == 2);
     const std::vector<fs::path> files = files_of(viewer.state.mine);
-    REQUIRE(files.size() == 2);
-    CHECK(files[0] == viewer.folder / "my/2-spheres/crossing.hpp");
+    REQUIRE(files.size() == 4);
+    CHECK(files[0] == viewer.folder / "my/2-spheres/sphere.hpp");
     viewer.state.setup.undo();
     CHECK(viewer.state.setup.now() == before);
 
@@ -119,8 +119,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(mine->words.find("'./glassbox learn test 2'") != std::string::npos);
     CHECK(other.image == nullptr);
 
-    viewer.save("crossing.hpp");
-    viewer.save("sphere.hpp");
+    for (const char* header : {"sphere.hpp", "quadratic.hpp", "crossing.hpp", "chord.hpp"}) viewer.save(header);
     viewer.settle();
     CHECK(mine->stand == Stand::drawn);
     REQUIRE(other.image);
@@ -128,7 +127,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(viewer.same_as_ours());
 
     // A compile error: the last picture stays, and the place of the mistake is known.
-    viewer.save("sphere.hpp", "return unit(point - sphere.c);", "return unit(point - sphere.c)");
+    viewer.save("sphere.hpp", "return unit(X - sphere.C);", "return unit(X - sphere.C)");
     viewer.settle();
     CHECK(mine->stand == Stand::does_not_compile);
     REQUIRE(mine->error);
@@ -137,8 +136,10 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(viewer.same_as_ours());
 
     // A crash at one pixel is reported, and the rest of the viewer works. Column 20, row 13 is pixel (20, 16): 30 rows.
-    viewer.save("sphere.hpp", "probe(told::Tested{});",
-                "probe(told::Tested{}); if (ray.P.y == 20 && ray.P.z == 13) *static_cast<volatile int*>(nullptr) = 1;");
+    viewer.save("sphere.hpp");
+    viewer.save(
+        "chord.hpp", "const Real a = dot(D, D);",
+        "const Real a = dot(D, D); if (ray.P.y == 20 && ray.P.z == 13) *static_cast<volatile int*>(nullptr) = 1;");
     viewer.state.pinned = Pixel{20, 16};
     viewer.settle();
     CHECK(mine->stand == Stand::failed);
@@ -159,7 +160,7 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     CHECK(mine->stand == Stand::failed);  // at stage 4 the view is not turned yet
     CHECK(viewer.results.picture.image->width == 40);
 
-    viewer.save("sphere.hpp");
+    viewer.save("chord.hpp");
     viewer.settle();
     CHECK(mine->stand == Stand::drawn);
     CHECK(viewer.same_as_ours());

@@ -13,4 +13,10 @@ constexpr bool surely(bool truth) { return truth; }
 /// Whether it could be true.
 constexpr bool possibly(bool truth) { return truth; }
 
+/// `condition ? a : b` for a condition that may be undecided: a where it could be true.
+template <class Condition, class Value>
+constexpr Value choose(const Condition& condition, const Value& a, const Value& b) {
+    return possibly(condition) ? a : b;
+}
+
 }  // namespace glassbox

@@ -25,6 +25,13 @@ struct Hit {
     Real t;
 };
 
+/// Which of the two places where a line enters and leaves a surface the ray sees, t₀ ≤ t₁: the first if it lies ahead,
+/// t₀ > 0, else the second. It is for the caller to see whether that one lies ahead.
+template <class Real>
+constexpr Real first_ahead(const Real& t0, const Real& t1) {
+    return choose(t0 > Real(0), t0, t1);
+}
+
 /// The nearer of the best hit so far and a crossing with another surface. At equal t the surface listed last wins.
 template <class Real>
 constexpr std::optional<Hit<Real>> nearest(const std::optional<Hit<Real>>& best, std::size_t surface,

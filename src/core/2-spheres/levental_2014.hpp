@@ -1,5 +1,5 @@
 #pragma once
-#include <sphere.hpp>
+#include <intersect_sphere.hpp>
 
 namespace glassbox {
 

@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <limits>
 
+#include <ray.hpp>
+#include <sides.hpp>
 #include <sphere.hpp>
-#include <triangle.hpp>
 
 #include <magnitude.hpp>
 
@@ -54,7 +55,7 @@ inline double sides_error(const Triangle<double>& triangle, const RayBounds& rea
 /// v·D, v·v and D·D change it by at most 32u D²(|v|² + r²) + O(u²): 20u in Textbook, 32u in Stable, where
 /// l = f + (b/a)d is off by 11u|f|.
 inline double discriminant_error(const Sphere<double>& sphere, const RayBounds& reach) {
-    const auto [cx, cy, cz] = sphere.c;
+    const auto [cx, cy, cz] = sphere.C;
     const Vec3<double> v{std::abs(cx) + reach.P.x, std::abs(cy) + reach.P.y, std::abs(cz) + reach.P.z};
     const double D2 = dot(reach.D, reach.D), v2 = dot(v, v), r2 = sphere.r * sphere.r;
     if (!is_ordinary(greatest(reach.D)) || !is_ordinary(greatest(v)) || !is_ordinary(sphere.r)) return never;
@@ -73,8 +74,8 @@ inline double distance_error(const Triangle<double>& triangle, const RayBounds& 
 
 /// Bounds the error of v² − r², which says whether the ray starts outside the sphere: 6u(|v|² + r²) + O(u²).
 inline double power_error(const Sphere<double>& sphere, const RayBounds& reach) {
-    const Vec3<Magnitude> v = convert<Magnitude>(reach.P) - convert<Magnitude>(sphere.c);
-    if (!is_ordinary(greatest(reach.P) + greatest(sphere.c)) || !is_ordinary(sphere.r)) return never;
+    const Vec3<Magnitude> v = convert<Magnitude>(reach.P) - convert<Magnitude>(sphere.C);
+    if (!is_ordinary(greatest(reach.P) + greatest(sphere.C)) || !is_ordinary(sphere.r)) return never;
     return 8 * u * (dot(v, v).size + sphere.r * sphere.r);
 }
 

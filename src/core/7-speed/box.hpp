@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <sides.hpp>
 #include <sphere.hpp>
-#include <triangle.hpp>
 
 namespace glassbox::engine {
 
@@ -77,7 +77,7 @@ inline Box box_of(const Triangle<double>& triangle, const Vec3<double>& middle) 
 
 /// The box around a sphere, relative to `middle`. c ± r is rounded once more, by at most u(|c| + r).
 inline Box box_of(const Sphere<double>& sphere, const Vec3<double>& middle) {
-    const Vec3<double> c = sphere.c - middle;
+    const Vec3<double> c = sphere.C - middle;
     Box box;
     const auto add = [&](int axis, double at) {
         const double r = sphere.r + (std::abs(at) + sphere.r) * 0x1p-51;

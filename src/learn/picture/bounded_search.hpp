@@ -7,9 +7,9 @@
 #include <bounded.hpp>
 #include <crossing.hpp>
 #include <filter.hpp>
+#include <intersect_sphere.hpp>
+#include <intersect_triangle.hpp>
 #include <probe.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
 
 #include "render/search/surface_normal.hpp"
 #include "render/search/surfaces.hpp"

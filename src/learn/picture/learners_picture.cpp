@@ -88,6 +88,7 @@ LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercis
     if (tools.compiler.isolation) command.isolation = Isolation{{folder}, {command.folder}};
     const Outcome outcome = run(command, stop);
     picture.died = end_of(outcome);
+    picture.said = printable(outcome.errors);
     if (!picture.died.empty()) {
         check_room(command.folder);
         return picture;

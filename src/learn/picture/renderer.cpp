@@ -8,9 +8,10 @@
 
 #include <not_written.hpp>  // before the learner's headers, which may call it without
 
+#include <intersect_sphere.hpp>
 #include <levental_2014.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <moeller_trumbore.hpp>
+#include <tolerance.hpp>
 
 #ifdef GLASSBOX_BOUNDED  // lesson 6, whose headers are of no use to plain double
 #include "learn/picture/bounded_search.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <type_traits>
 
-#include <shading.hpp>
+#include <shade.hpp>
 
 #include "render/measure/channel.hpp"
 #include "render/measure/triangle_numbers.hpp"

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include <magnitude.hpp>
-#include <triangle.hpp>
+#include <tolerance.hpp>
 
 #include "render/measure/channel.hpp"
 

@@ -53,7 +53,7 @@ std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<doubl
 std::optional<Vec3<double>> exact_normal(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
     const std::optional<TrueT> t = exact_crossing(ray, sphere, rule);
     if (!t) return {};
-    const Vec3<Exact> point = at(convert<Exact>(ray), t->exact()) - convert<Exact>(sphere.c);
+    const Vec3<Exact> point = at(convert<Exact>(ray), t->exact()) - convert<Exact>(sphere.C);
     const Vec3<double> seen = rounded_once(power_of_two(-std::ilogb(sphere.r)) * point);
     return unit_normal(Sphere<double>{{}, 1}, seen);
 }

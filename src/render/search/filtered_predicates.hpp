@@ -203,7 +203,7 @@ private:
     bool is_sure_hit(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
                      double discriminant) const {
         if (!std::holds_alternative<Stable>(sphere_rule_.rule) || !(discriminant > errors.discriminant)) return false;
-        const Vec3<double> v = ray.P - sphere.c;
+        const Vec3<double> v = ray.P - sphere.C;
         return std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power;
     }
 
@@ -218,7 +218,7 @@ private:
 
     /// No point of a sphere is farther off than its centre and its radius together: |tD| ≤ |c − P| + r.
     static double farthest(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors&, double) {
-        return (length(sphere.c - ray.P) + sphere.r) / length(ray.D) * (1 + 0x1p-40);
+        return (length(sphere.C - ray.P) + sphere.r) / length(ray.D) * (1 + 0x1p-40);
     }
 
     /// t is the mean of the vertices' tᵢ = D·A/D², weighted by the side products wᵢ, here all of one sign. If these are

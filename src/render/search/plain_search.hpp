@@ -2,6 +2,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <crossing.hpp>
 #include <ray.hpp>
 
 #include "render/search/surface_normal.hpp"

@@ -63,9 +63,9 @@ Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
 template <class Real>
 Vec3<Real> normal_at(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sphere) {
     const int e = exponent(Vec3<Real>{sphere.r, sphere.r, sphere.r});
-    const bool is_far_off = std::max(exponent(ray.P), exponent(sphere.c)) - 12 > e;
+    const bool is_far_off = std::max(exponent(ray.P), exponent(sphere.C)) - 12 > e;
     // A small sphere far from the origin: relative to its centre, the point loses no digits to c.
-    if (is_far_off || e < -40 || e > 40) return unit_normal(Sphere<Real>{{}, sphere.r}, ray.P - sphere.c + t * ray.D);
+    if (is_far_off || e < -40 || e > 40) return unit_normal(Sphere<Real>{{}, sphere.r}, ray.P - sphere.C + t * ray.D);
     return normal(sphere, at(ray, t));
 }
 template <class Real>
@@ -83,7 +83,7 @@ inline double largest(const Vec3<double>& a) { return std::max({std::abs(a.x), s
 inline bool loses_digits(const Ray<double>& ray, double t, const Sphere<double>& sphere) {
     constexpr double least = 0x1p-960, far = 0x1p30;
     const bool has_all = std::isfinite(t) && std::abs(t) > least && sphere.r > least;
-    return !(has_all && largest(ray.P - sphere.c) <= far * sphere.r);
+    return !(has_all && largest(ray.P - sphere.C) <= far * sphere.r);
 }
 
 /// For slivers: where the sine of the angle between two edges is below about 2⁻²⁰.

@@ -3,18 +3,19 @@
 #include <bounded.hpp>
 #include <crossing.hpp>
 #include <floating_point.hpp>
+#include <intersect_sphere.hpp>
 #include <kleene.hpp>
 #include <levental_2014.hpp>
 #include <light.hpp>
 #include <magnitude.hpp>
+#include <moeller_trumbore.hpp>
 #include <pluecker.hpp>
 #include <probe.hpp>
+#include <published_shading.hpp>
 #include <ray.hpp>
 #include <ray_color.hpp>
 #include <rgb.hpp>
-#include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <tolerance.hpp>
 #include <truth.hpp>
 #include <turn.hpp>
 #include <vec3.hpp>
@@ -53,7 +54,7 @@ Rgb everything(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c, in
         const Light<Real> light = directional_light(c, a.z);
         for (const ShadingModel model : {ShadingModel::phong, ShadingModel::blinn_phong, ShadingModel::levental_2014}) {
             const Shading<Real> shading{model, a.x, a.y, a.z, 15, a, b};
-            sum = sum + to_vec3<Real>(to_rgb(shade(n, -unit(ray.D), c, light, shading, probe), model));
+            sum = sum + to_vec3<Real>(to_rgb(shade_by_model(n, -unit(ray.D), c, light, shading, probe), model));
         }
         sum = sum + convert<Real>(convert<double>(ray)).P + ray_color(ray, width, height);
     }

@@ -2,11 +2,12 @@
 #include <doctest.h>
 
 #include <array>
+#include <intersect_sphere.hpp>
+#include <moeller_trumbore.hpp>
 #include <new>
 #include <probe.hpp>
-#include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <published_shading.hpp>
+#include <tolerance.hpp>
 #include <turn.hpp>
 
 extern long allocations;  // counted_new.cpp
@@ -33,7 +34,8 @@ TEST_CASE("a million rays allocate nothing") {
             if (!hit) continue;
             ++hits;
             const Vec3<double> n = hit->surface < 2 ? normal(spheres[hit->surface], at(ray, hit->t)) : normal(triangle);
-            lit += to_rgb(shade(n, -unit(ray.D), {128, 128, 128}, light, shading, probe), shading.model).red > 0;
+            lit +=
+                to_rgb(shade_by_model(n, -unit(ray.D), {128, 128, 128}, light, shading, probe), shading.model).red > 0;
         }
     }
     const long during = allocations - before;

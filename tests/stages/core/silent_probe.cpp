@@ -1,10 +1,11 @@
 // A renderer's inner loop with the probe that does nothing. CompareCode.cmake compiles it twice, with the core as it is
 // and with a core that has no probes, and compares the machine code.
+#include <intersect_sphere.hpp>
 #include <levental_2014.hpp>
+#include <moeller_trumbore.hpp>
 #include <probe.hpp>
-#include <shading.hpp>
-#include <sphere.hpp>
-#include <triangle.hpp>
+#include <published_shading.hpp>
+#include <tolerance.hpp>
 
 namespace glassbox {
 
@@ -20,7 +21,7 @@ Rgb seen(const Ray<double>& ray, const Sphere<double>* spheres, std::size_t n_sp
     if (!hit) return {};
     const std::size_t k = hit->surface;
     const Vec3<double> n = k < n_spheres ? normal(spheres[k], at(ray, hit->t)) : normal(triangles[k - n_spheres]);
-    return to_rgb(shade(n, -unit(ray.D), colors[k], light, shading, probe), shading.model);
+    return to_rgb(shade_by_model(n, -unit(ray.D), colors[k], light, shading, probe), shading.model);
 }
 
 #define INSTANTIATE(Roots, Rule)                                                                                    \

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include <probe.hpp>
-#include <shading.hpp>
+#include <reflection.hpp>
 
 #include "explain/explain.hpp"
 #include "explain/words.hpp"
@@ -31,7 +31,7 @@ struct Box {
 };
 
 /// Returns a ball that contains the surface.
-Ball around(const Sphere<double>& sphere) { return {sphere.c, sphere.r}; }
+Ball around(const Sphere<double>& sphere) { return {sphere.C, sphere.r}; }
 Ball around(const Triangle<double>& triangle) {
     const auto& [A, B, C] = triangle;
     const Vec3<double> middle = (A + B + C) / 3;

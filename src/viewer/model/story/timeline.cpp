@@ -141,9 +141,12 @@ private:
     Function rule_of(const Surface& surface) const {
         const Options& options = story_.options;
         if (std::holds_alternative<story::TriangleTest>(surface.test))
-            return {"/triangle.hpp", struct_of(options.triangle_rule)};
+            return {std::holds_alternative<Pluecker>(options.triangle_rule)    ? "/intersect_triangle.hpp"
+                    : std::holds_alternative<Tolerance>(options.triangle_rule) ? "/tolerance.hpp"
+                                                                               : "/moeller_trumbore.hpp",
+                    struct_of(options.triangle_rule)};
         const bool history = std::holds_alternative<Levental2014>(options.sphere_rule);
-        return {history ? "/levental_2014.hpp" : "/sphere.hpp", struct_of(options.sphere_rule)};
+        return {history ? "/levental_2014.hpp" : "/intersect_sphere.hpp", struct_of(options.sphere_rule)};
     }
 
     void tell_nearest() {
@@ -178,7 +181,7 @@ private:
     void tell_pixel() {
         group_ = "the pixel";
         const Function by = story_.options.stage == 1         ? Function{"/ray_color.hpp", "ray_color"}
-                            : story_.hit && story_.hit->shade ? Function{"/shading.hpp", "to_rgb"}
+                            : story_.hit && story_.hit->shade ? Function{"/shade.hpp", "to_rgb"}
                                                               : Function{};
         if (story_.hit && story_.hit->shade && story_.hit->shade->model == ShadingModel::levental_2014) {
             const story::Shade& shade = *story_.hit->shade;

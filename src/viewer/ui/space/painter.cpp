@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <reflection.hpp>
+
 #include "viewer/ui/space/boxes.hpp"
 
 namespace glassbox {
@@ -64,14 +66,14 @@ void paint_part(const SpaceCanvas& canvas, const SurfacesInSpace::Part& part, do
 /// Circles around a sphere's poles. Those on the far side shine through.
 void paint_latitudes(const SpaceCanvas& canvas, const Sphere<double>& sphere, int segments, bool near_side) {
     const Vec3<double> up = canvas.surfaces.upright.up, front = canvas.surfaces.upright.front;
-    const Vec3<double> side = cross(up, front), to_eye = eye(canvas.camera) - sphere.c;
+    const Vec3<double> side = cross(up, front), to_eye = eye(canvas.camera) - sphere.C;
     for (const double latitude : {-45.0, 0.0, 45.0}) {
         const auto [cos_l, sin_l] = cos_sin(latitude);
         std::array<Vec3<double>, 2> last;
         for (int i = 0; i <= segments; ++i) {
             const auto [c, s] = cos_sin(360.0 * i / segments);
-            last[1] = sphere.c + sphere.r * (cos_l * (c * front + s * side) + sin_l * up);
-            const bool is_near = dot(last[1] - sphere.c, to_eye) > sphere.r * sphere.r;
+            last[1] = sphere.C + sphere.r * (cos_l * (c * front + s * side) + sin_l * up);
+            const bool is_near = dot(last[1] - sphere.C, to_eye) > sphere.r * sphere.r;
             if (i > 0 && is_near == near_side && in_front(canvas.camera, last[0]) && in_front(canvas.camera, last[1]))
                 canvas.list.AddLine(canvas.on_screen(last[0]), canvas.on_screen(last[1]),
                                     edge_color(canvas, near_side ? 0.3 : 0.1), line_width() * 0.7f);
@@ -84,12 +86,12 @@ void paint_latitudes(const SpaceCanvas& canvas, const Sphere<double>& sphere, in
 void paint_sphere(const SpaceCanvas& canvas, std::size_t index) {
     const Sphere<double>& sphere = canvas.surfaces.shown.spheres[index];
     const Rgb color = canvas.surfaces.colors[index];
-    const Vec3<double> to_eye = eye(canvas.camera) - sphere.c;
+    const Vec3<double> to_eye = eye(canvas.camera) - sphere.C;
     const double distance = length(to_eye);
-    if (!in_front(canvas.camera, sphere.c) || !(distance > 1.001 * sphere.r)) return;
-    const double pixels = sphere.r / length_of_pixel(canvas.camera, sphere.c);
+    if (!in_front(canvas.camera, sphere.C) || !(distance > 1.001 * sphere.r)) return;
+    const double pixels = sphere.r / length_of_pixel(canvas.camera, sphere.C);
     if (pixels < 1.5) {
-        canvas.list.AddCircleFilled(canvas.on_screen(sphere.c), std::max(1.5f, line_width()), shaded(color, 1, 1), 8);
+        canvas.list.AddCircleFilled(canvas.on_screen(sphere.C), std::max(1.5f, line_width()), shaded(color, 1, 1), 8);
         return;
     }
     const int segments = std::clamp(static_cast<int>(6 * std::sqrt(pixels)), 10, 64), rings = segments / 5;
@@ -103,7 +105,7 @@ void paint_sphere(const SpaceCanvas& canvas, std::size_t index) {
     canvas.list.PrimReserve(6 * segments * (rings - 1) + 3 * segments, 1 + segments * rings);
     const auto first = static_cast<ImDrawIdx>(canvas.list._VtxCurrentIdx);
     const auto write = [&](const Vec3<double>& n) {
-        const ImVec2 at = canvas.on_screen(sphere.c + sphere.r * n);
+        const ImVec2 at = canvas.on_screen(sphere.C + sphere.r * n);
         canvas.list.PrimWriteVtx(at, uv, shaded(color, brightness(canvas, n), 0.88));
         return at;
     };
@@ -226,7 +228,7 @@ std::vector<Item> sorted_items(const SpaceCanvas& canvas, const std::vector<Edge
         items.push_back({Item::Kind::part, depth((A + B + C) / 3), i});
     }
     const auto& spheres = canvas.surfaces.shown.spheres;
-    for (std::size_t i = 0; i < spheres.size(); ++i) items.push_back({Item::Kind::sphere, depth(spheres[i].c), i});
+    for (std::size_t i = 0; i < spheres.size(); ++i) items.push_back({Item::Kind::sphere, depth(spheres[i].C), i});
     for (std::size_t i = 0; i < cells * cells; ++i) {
         const auto c = cell_corners(canvas.drawing.picture, i);
         items.push_back({Item::Kind::cell, depth((c[0] + c[2]) / 2), i});
