@@ -76,7 +76,8 @@ with_counted() {
 
 # run BUILD: what the tests said that were just run there.
 run() {
-    local log=$1/Testing/Temporary/LastTest.log label tests
+    local log=$scratch/log label tests
+    cp "$1/Testing/Temporary/LastTest.log" "$log" # which ctest -N empties
     echo '| label | tests | checks |'
     echo '|---|---|---|'
     for label in stage{1..7} core numerics scene engine render output explain certified learn viewer cli library lessons; do
@@ -86,7 +87,7 @@ run() {
             FNR == NR { wanted[$1]; ++tests; next }
             / Testing: / { name = $NF }
             /^\[doctest\] assertions:/ && name in wanted { checks += $3 }
-            END { printf "| `%s` | %d | %s |\n", label, tests, checks > 0 ? checks : "–" }' <(echo "$tests") "$log"
+            END { printf "| `%s` | %d | %s |\n", label, tests, (checks > 0 ? checks : "–") }' <(echo "$tests") "$log"
     done
     echo
     awk '
@@ -102,6 +103,7 @@ run() {
             if (lists) printf "The oracle judges %d hard rays. Certified is wrong in none, and asks exact arithmetic %d times; plain double is wrong %d times.\n", rays, exactly, wrong
             if (fuzz) printf "The fuzzer: %s.\n", fuzz
         }' "$log"
+    cp "$log" "$1/Testing/Temporary/LastTest.log"
 }
 
 # with_run BUILD: reads a page, and writes it with the figures of that run.
@@ -113,8 +115,9 @@ with_run() {
         /^<!-- run: begin/ { inside = 1; printf "\n%s\n", text }' - "$2"
 }
 
-made=$(mktemp)
-trap 'rm -f "$made" "$made.run"' EXIT
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+made=$scratch/page
 with_counted >"$made"
 case ${1:-} in
 --check)
@@ -122,7 +125,7 @@ case ${1:-} in
     ;;
 '') cat "$made" >"$page" ;;
 *)
-    with_run "$1" "$made" >"$made.run"
-    cat "$made.run" >"$page"
+    with_run "$1" "$made" >"$scratch/with_run"
+    cat "$scratch/with_run" >"$page"
     ;;
 esac
