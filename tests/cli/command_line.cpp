@@ -165,7 +165,7 @@ TEST_CASE("doctor finds this build good") {
     CHECK(ran.out.find("BAD") == std::string::npos);
 }
 
-#if defined FLUSHES_SUBNORMALS && !defined __SANITIZE_ADDRESS__
+#if defined FLUSHES_SUBNORMALS && !defined GLASSBOX_SANITIZED
 TEST_CASE("doctor notices a library that flushes subnormal numbers, and says which bounds do not hold") {
     const Folder folder;
     ::setenv("LD_PRELOAD", FLUSHES_SUBNORMALS, 1);

@@ -116,13 +116,6 @@ TEST_CASE("names with spaces, in UTF-8, with capitals, beginning with a dash, or
     CHECK(folder.entries() == 9);
 }
 
-TEST_CASE("the same bytes whatever the number of threads") {
-    const Workplace folder;
-    folder.render({"levental-2014", "--size", "100x100", "--threads", "1", "-o", "1.ppm"});
-    folder.render({"levental-2014", "--size", "100x100", "--threads", "5", "-o", "5.ppm"});
-    CHECK(content(folder / "1.ppm") == content(folder / "5.ppm"));
-}
-
 TEST_CASE("neither an environment nor open standard streams are needed") {
     const Workplace folder;
     const Arguments arguments{"render", "s.toml", "--stage", "2", "-o", "o.ppm"};

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "cli/program.hpp"
+#include "learn/prepared.hpp"
 
 using namespace glassbox::test;
 using namespace std::chrono_literals;
@@ -15,6 +16,7 @@ namespace {
 /// One folder for all cases, so that the toolchain is made only once.
 const Folder& home() {
     static Folder folder;
+    static Prepared prepared(folder / "mine/.glassbox");
     return folder;
 }
 

@@ -1,7 +1,6 @@
 // What every lesson's exercise must satisfy, for the lesson named on the command line: the starter compiles and fails
 // with the names of its own functions; the solution passes; each classic mistake is caught, and the detective names it
 // and no other.
-#define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "learn/check/detective.hpp"
 #include "learn/check/judgement.hpp"
 #include "learn/learner.hpp"
+#include "learn/prepared.hpp"
 #include "output/folder.hpp"
 #include "scene/text_file.hpp"
 
@@ -203,6 +203,7 @@ int main(int argc, char** argv) {
     }
     lesson = argv[1];
     if (lesson == "prepare") {
+        const test::Prepared prepared(workspace().hidden());
         tools(workspace());
         return 0;
     }

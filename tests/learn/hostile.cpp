@@ -12,6 +12,7 @@
 
 #include "learn/check/judgement.hpp"
 #include "learn/learner.hpp"
+#include "learn/prepared.hpp"
 #include "learn/telling.hpp"
 #include "output/folder.hpp"
 #include "scene/text_file.hpp"
@@ -87,6 +88,7 @@ private:
     }
 
     Folder folder_;
+    glassbox::test::Prepared prepared_{folder_ / ".glassbox"};
     Learner learner_;
     const Exercise& exercise_;
 };

@@ -17,6 +17,7 @@
 
 #include "learn/check/judgement.hpp"
 #include "learn/check/test_run.hpp"
+#include "learn/prepared.hpp"
 #include "learn/report/grade.hpp"
 #include "learn/telling.hpp"
 #include "output/folder.hpp"
@@ -101,6 +102,7 @@ struct Machine {
     Listener listener;
     Bystander bystander;
     Workspace teacher = open_workspace(ROOT, home / "course" / "my");
+    glassbox::test::Prepared prepared{teacher.hidden()};
     fs::path ada = home / "course/handed-in/ada", bo = home / "course/handed-in/bo";
 
     Machine() {

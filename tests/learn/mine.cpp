@@ -6,6 +6,7 @@
 
 #include "learn/course/progress.hpp"
 #include "learn/picture/maker.hpp"
+#include "learn/prepared.hpp"
 #include "output/folder.hpp"
 #include "render/job.hpp"
 #include "render/render.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct Learner {
     test::Folder folder;
     Workspace workspace = open_workspace(ROOT, folder.path);
+    test::Prepared prepared{workspace.hidden()};
     Maker maker;
     std::vector<PictureUpdate> told;
 

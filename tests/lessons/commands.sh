@@ -6,7 +6,8 @@
 # - the viewer draws into a file, as there may be no display;
 # - a learner's folder is made for this run. `learn test` may fail: nothing has been written in it;
 # - `test` is not run: this is a test itself.
-# Each figure that the lesson shows must exist, and each that exists must be shown.
+# Each figure that the lesson shows must exist, and each that exists must be shown. $PREPARED, if there is one, is a folder of
+# what `learn` has made once for other tests: see tests/learn/prepared.hpp.
 set -euo pipefail
 program=$(realpath "$1") lesson=$(realpath "$2")
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -19,6 +20,23 @@ if [[ -z $scratch ]]; then
 fi
 mkdir -p "$scratch/$name/figures"
 cd "$root"
+
+# copy_prepared FROM TO: each folder whole or not at all, as other tests may be doing the same.
+copy_prepared() {
+    local folder name making=$2/copying-$$
+    mkdir -p "$2"
+    for folder in "$1"/tools-* "$1"/drawing-*; do
+        name=${folder##*/}
+        [[ -d $folder && ! -e $2/$name ]] || continue
+        mkdir "$making"
+        case $name in
+        tools-*) cp "$folder"/* "$making" ;;
+        *) cp "$folder"/prelude* "$making" ;;
+        esac
+        mv -T "$making" "$2/$name" 2>/dev/null || rm -rf "$making"
+    done
+}
+[[ -z ${PREPARED:-} ]] || copy_prepared "$PREPARED" "$scratch/my/.glassbox"
 
 failed=0
 wrong() {
@@ -75,5 +93,6 @@ done
 for figure in "$name"/figures/*; do
     grep -qxF "${figure##*/}" <<<"$shown" || wrong 1 "it does not show $figure, which is there"
 done
+[[ -z ${PREPARED:-} ]] || copy_prepared "$scratch/my/.glassbox" "$PREPARED"
 echo "$text: $count commands"
 exit $failed

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "learn/picture/maker.hpp"
+#include "learn/prepared.hpp"
 #include "output/folder.hpp"
 #include "scene/error.hpp"
 #include "viewer/model/state/state.hpp"
@@ -42,6 +43,7 @@ color = [255, 0, 0]
 /// A viewer without an interface, and a learner's folder.
 struct Viewer {
     Folder folder;
+    test::Prepared prepared{folder / "my/.glassbox"};
     ViewerState state;
     Results results;
     Background background{[] {}};
