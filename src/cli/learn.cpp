@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -55,11 +57,18 @@ struct LearnRun {
           stop(std::move(token)),
           learner(
               workspace_for(asked), [](const std::string& text) { tell("glassbox learn: " + text); }, asked.isolated),
-          paint{is_terminal() && !no_color()} {}
+          paint{is_terminal() && !no_color(), width()} {}
 
     const Exercise& exercise() { return learner.lesson(request.lesson); }
 
     static bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
+    /// How many characters a line may have: as many as the terminal shows, but not more than are easy to read.
+    static std::size_t width() {
+        constexpr std::size_t least = 40, most = 100;
+        winsize size{};
+        const bool is_known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+        return is_known ? std::clamp(std::size_t{size.ws_col}, least, most) : most;
+    }
     static bool no_color() {
         const char* wish = std::getenv("NO_COLOR");
         return wish && *wish;
@@ -79,6 +88,7 @@ bool test(LearnRun& lesson, const Exercise& exercise) {
     if (begins)
         print(fmt::format("Your headers of lesson {} are now in {}: the starters, to be completed.\n\n",
                           exercise.number, shown(lesson.learner.workspace().headers_of(exercise))));
+    if (LearnRun::is_terminal()) print(lesson.paint.faint(fmt::format("Testing lesson {} …\n", exercise.number)));
     const TestedLesson tested = lesson.learner.test(
         exercise, lesson.stop, [&](const TestRun& so_far) { print(so_far_text(exercise, so_far, lesson.paint)); });
     if (tested.run.stopped) throw Cancelled{};
@@ -127,6 +137,7 @@ void hint(LearnRun& lesson) {
 void begin_anew(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     const Workspace& workspace = lesson.learner.workspace();
+    lesson.learner.forget(exercise);
     if (make_starters(workspace, exercise))
         return print(fmt::format("The starters of lesson {} are in {}.\n", exercise.number,
                                  shown(workspace.headers_of(exercise))));
@@ -185,11 +196,18 @@ fs::path headers_for_picture(LearnRun& lesson, const Exercise& exercise) {
     return folder;
 }
 
+std::string whose_headers(const LearnRequest& request) {
+    if (request.solution) return "by our headers";
+    return request.mistake.empty() ? "by your headers" : fmt::format("with the mistake {}", request.mistake);
+}
+
 void picture(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     check_picture_file(lesson.request.picture);
     const fs::path headers = headers_for_picture(lesson, exercise);
     const fs::path folder = make_folder(lesson.learner.workspace().hidden() / exercise.name);
+    lesson.learner.tools();
+    tell(fmt::format("glassbox learn: compiling and drawing lesson {}'s picture, some seconds", exercise.number));
     const LessonPicture made =
         lesson_picture(lesson.learner.workspace(), exercise, lesson.learner.tools(), headers, folder, lesson.stop);
     if (lesson.stop.stop_requested()) throw Cancelled{};
@@ -202,11 +220,15 @@ void picture(LearnRun& lesson) {
                                 made.died,
                                 command_line(lesson.learner.workspace(), fmt::format("test {}", exercise.number))));
     write_picture(lesson.request.picture, *made.image, lesson.stop);
+    print(fmt::format("{} is written: {}x{} pixels, the picture of lesson {} {}.\n", lesson.request.picture,
+                      made.image->width, made.image->height, exercise.number, whose_headers(lesson.request)));
     if (!made.said.empty()) tell(made.said);
 }
 
 /// Records the symptoms of each mistake of a lesson, for lesson authors.
 void record(LearnRun& lesson, const Exercise& exercise) {
+    tell(fmt::format("glassbox learn: compiling and running each mistake of lesson {}: some seconds each",
+                     exercise.number));
     int unnoticed = 0;
     const auto done = [&](const Mistake& mistake, const TestRun& run) {
         const std::size_t traces = traces_of(mistake.name, run).size();
@@ -259,6 +281,8 @@ void report(const LearnRequest& request, const std::stop_token& stop) {
     const std::string& why_not = grader.why_not_isolated();
     if (!why_not.empty()) say("note: learners' code runs as you do, with your rights: " + why_not);
     std::vector<LearnerStanding> learners;
+    if (!all.empty())
+        say(fmt::format("testing {} folder{}: some seconds a lesson", all.size(), all.size() == 1 ? "" : "s"));
     for (const HandedIn& one : all) try {
             learners.push_back(grader.grade(one, stop));
         } catch (const Error& error) {

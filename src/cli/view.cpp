@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -23,6 +25,7 @@ constexpr const char* present_lesson = "true";
 struct ViewRequest {
     std::string scene;  ///< empty: the paper's, or that of the learner's lesson
     std::string pixel, overlay, script, screenshot, size, mine, folder;
+    std::vector<std::pair<const Parameter*, std::string>> rules;  ///< as they were typed
     bool bench = false;
 };
 
@@ -42,10 +45,16 @@ ViewerState first_state(const ViewRequest& request) {
     if (mine) choice = chosen_mine(choice, lesson);
     if (lesson && choice.workspace && !choice.problem.empty()) throw wrong("--mine", choice.problem);
     const learn::Exercise* const exercise = exercise_of(choice);
+    if (lesson && exercise && exercise->own_picture == learn::OwnPicture::none)
+        throw wrong("--mine", fmt::format("no picture beside ours is made by what lesson {} teaches; glassbox learn "
+                                          "picture {} -o picture.png draws one that is",
+                                          *lesson, *lesson));
     const std::string usual = exercise ? (choice.workspace->root / exercise->scene).string() : "levental-2014";
     ViewerState state = opened(scene_path(request.scene.empty() ? usual : request.scene));
     state.mine = choice;
     if (mine) show_mine(state, lesson);
+    for (const auto& [parameter, typed] : request.rules)
+        state.setup.change(with_typed(state.setup.now(), *parameter, fmt::format("--{}", parameter->name), typed));
     return state;
 }
 
@@ -110,6 +119,15 @@ void add_view(CLI::App& program) {
     command->add_flag("--mine", request->mine,
                       "the picture of your own code beside ours; --mine=2 for lesson 2, else the lesson where you are");
     command->add_option("--folder", request->folder, "the folder of your own code (default: my)")->type_name("DIR");
+    for (const Parameter& parameter : parameters())
+        if (std::holds_alternative<SphereRule Options::*>(parameter.member) ||
+            std::holds_alternative<TriangleRule Options::*>(parameter.member))
+            command
+                ->add_option_function<std::string>(
+                    fmt::format("--{}", parameter.name),
+                    [request, &parameter](const std::string& typed) { request->rules.emplace_back(&parameter, typed); },
+                    fmt::format("{} to begin with", parameter.help))
+                ->type_name(parameter.unit);
     command->add_option("--size", request->size, "of the window, in pixels (default: as last time)")->type_name("WxH");
     add_file(*command, "--script", "FILE", "run the commands in a file, without a display (docs/viewer.md)",
              request->script);

@@ -69,6 +69,14 @@ bool Learner::is_tested(const Exercise& exercise) {
     return remembered(exercise).tested == fingerprint_of(workspace_, exercise);
 }
 
+void Learner::forget(const Exercise& exercise) {
+    LessonProgress& progress = remembered(exercise);
+    progress.passed = false;
+    progress.functions.clear();
+    progress.tested.clear();
+    save();
+}
+
 TestedLesson Learner::test(const Exercise& exercise, const std::stop_token& stop,
                            std::function<void(const TestRun&)> so_far) {
     make_starters(workspace_, exercise);

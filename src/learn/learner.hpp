@@ -17,7 +17,7 @@ namespace glassbox::learn {
 struct TestedLesson {
     TestRun run;
     Judgement judgement;                       ///< points into `run` and the exercise
-    Recognised recognised;                     ///< the classic mistake that it looks like
+    Recognised recognised;                     ///< what the detective says of it
     std::optional<std::pair<int, int>> pixel;  ///< of the failing scene, if one was written
     std::chrono::duration<double> took{};
 
@@ -40,6 +40,9 @@ public:
 
     /// Returns the lesson with this number or name; for "" the first that has not been passed, or the last.
     const Exercise& lesson(const std::string& name = "");
+
+    /// Forgets how the lesson's functions stand: it begins anew. Hints and giving up stay remembered.
+    void forget(const Exercise& exercise);
 
     /// Whether the learner's headers are those that were tested last.
     bool is_tested(const Exercise& exercise);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "explain/shell_word.hpp"
 #include "learn/build/function_line.hpp"
 #include "learn/build/headers.hpp"
 #include "numerics/printed_bound.hpp"
+#include "render/option_names.hpp"
 #include "scene/printable.hpp"
 
 namespace glassbox::learn {
@@ -33,20 +35,27 @@ std::string plural(std::size_t count, std::string_view thing) {
     return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-/// "✓ nearest  · Textbook  … intersect, Stable wait for `Textbook`".
+/// "✓ nearest  · Textbook  … intersect, Stable wait for `Textbook`", in lines that begin with so many spaces.
 std::string functions_line(const Exercise& exercise, const std::vector<FunctionJudgement>& functions,
-                           const Paint& paint) {
-    std::string line;
+                           std::size_t indent, const Paint& paint) {
+    std::string lines;
+    std::size_t column = indent;
     for (std::size_t i = 0; i < functions.size(); ++i) {
         const auto& [state, waits_for] = functions[i];
-        line += fmt::format("{}{} {}", i == 0 ? "" : "  ", mark(state, paint), exercise.functions[i].name);
-        if (waits_for.empty()) continue;
-        const std::size_t first = i;
-        for (; i + 1 < functions.size() && functions[i + 1].waits_for == waits_for; ++i)
-            line += ", " + exercise.functions[i + 1].name;
-        line += paint.faint(fmt::format(" {} for `{}`", i == first ? "waits" : "wait", waits_for));
+        std::string names = exercise.functions[i].name, waiting;
+        if (!waits_for.empty()) {
+            const std::size_t first = i;
+            for (; i + 1 < functions.size() && functions[i + 1].waits_for == waits_for; ++i)
+                names += ", " + exercise.functions[i + 1].name;
+            waiting = fmt::format(" {} for `{}`", i == first ? "waits" : "wait", waits_for);
+        }
+        const std::size_t needs = 4 + names.size() + waiting.size();
+        const bool fits = column + needs <= paint.width || lines.empty();
+        lines += lines.empty() ? "" : fits ? "  " : '\n' + std::string(indent, ' ');
+        column = (fits ? column : indent) + needs;
+        lines += fmt::format("{} {}{}", mark(state, paint), names, paint.faint(waiting));
     }
-    return line;
+    return lines;
 }
 
 std::string indented(std::string_view text, std::string_view by) {
@@ -61,7 +70,74 @@ std::string indented(std::string_view text, std::string_view by) {
 
 /// A row of what a failed case reports, such as "expected   5"; empty if there is nothing to report.
 std::string row(std::string_view name, std::string_view value, const Paint& paint) {
-    return value.empty() ? "" : fmt::format("  {} {}\n", paint.faint(fmt::format("{:<9}", name)), value);
+    constexpr std::size_t before = 12;
+    return value.empty()
+               ? ""
+               : fmt::format("  {} {}\n", paint.faint(fmt::format("{:<9}", name)), wrapped(value, before, paint.width));
+}
+
+/// A paragraph of sentences, after a heading.
+std::string paragraph(std::string_view heading, std::string_view text, const Paint& paint) {
+    constexpr std::size_t before = 2;
+    std::string all = wrapped(fmt::format("{} {}", heading, text), before, paint.width);
+    return fmt::format("  {}{}\n", paint.strong(all.substr(0, heading.size())), all.substr(heading.size()));
+}
+
+/// A number for a reader: with all its digits if they are few.
+std::string readable(double number) {
+    const std::string all = fmt::format("{}", number);
+    constexpr std::size_t few = 9;
+    return all.size() <= few ? all : fmt::format("{:.6g}…", number);
+}
+
+std::string readable(const std::vector<double>& numbers) {
+    std::vector<std::string> all;
+    for (const double number : numbers) all.push_back(readable(number));
+    return all.size() == 1 ? all[0] : fmt::format("({})", fmt::join(all, ", "));
+}
+
+std::vector<double> three_of(const std::vector<double>& numbers, std::size_t at) {
+    return {numbers.begin() + static_cast<std::ptrdiff_t>(at), numbers.begin() + static_cast<std::ptrdiff_t>(at) + 3};
+}
+
+/// The ray that was traced and its surface: "P = (0, 0, 8), D = (0, 0, -1)".
+std::string ray_rows(const Failure& failure, const Paint& paint) {
+    const std::vector<double>& surface = failure.surface;
+    if (failure.ray.size() != 6) return "";
+    const auto vector = [](const char* name, const std::vector<double>& from, std::size_t at) {
+        return fmt::format("{} = {}", name, readable(three_of(from, at)));
+    };
+    std::string text =
+        row("ray", fmt::format("{}, {}", vector("P", failure.ray, 0), vector("D", failure.ray, 3)), paint);
+    if (surface.size() == 4)
+        text += row("sphere", fmt::format("{}, r = {}", vector("c", surface, 0), readable(surface[3])), paint);
+    if (surface.size() == 9)
+        text +=
+            row("triangle",
+                fmt::format("{}, {}, {}", vector("A", surface, 0), vector("B", surface, 3), vector("C", surface, 6)),
+                paint);
+    return text;
+}
+
+/// What the check was made from, but for what it says itself, and for the ray that has its own row.
+std::vector<std::string> inputs_of(const Failure& failure) {
+    std::vector<std::string> all = failure.subcases;
+    std::set<std::string> told;
+    const auto is_traced = [&](const Input& input) {
+        if (failure.ray.size() != 6) return false;
+        if (input.numbers == three_of(failure.ray, 0) || input.numbers == three_of(failure.ray, 3)) return true;
+        for (std::size_t at = 0; at + 3 <= failure.surface.size(); at += 3)
+            if (input.numbers == three_of(failure.surface, at)) return true;
+        return failure.surface.size() == 4 && input.name.ends_with(".r");
+    };
+    for (const Input& input : failure.inputs) {
+        if (input.name == failure.expression || is_traced(input)) continue;
+        all.push_back(fmt::format("{} = {}", input.name, readable(input.numbers)));
+        told.insert(input.name);
+    }
+    for (const std::string& context : failure.contexts)
+        if (!told.contains(context.substr(0, context.find(" := ")))) all.push_back(context);
+    return all;
 }
 
 /// The test's name without the scalar, and the scalar.
@@ -88,15 +164,14 @@ std::string failure_text(const Workspace& workspace, const CaseResult& one, cons
     std::string text = row("test", scalar.empty() ? name : fmt::format("{}; in {}", name, scalar), paint);
     text += row("checked", failure.expression, paint);
     text += row("expected", failure.expected, paint);
-    if (failure.threw.empty() && failure.died.empty()) text += row("got", paint.strong(failure.got), paint);
+    if (failure.threw.empty() && failure.died.empty()) text += row("got", failure.got, paint);
     const bool too_much = failure.threw == "std::bad_alloc" || failure.threw == "std::bad_array_new_length";
     if (!failure.threw.empty())
         text += row("threw", failure.threw + (too_much ? ": it asked for more memory than it may have" : ""), paint);
     if (!failure.died.empty()) text += row("died", failure.died, paint);
     text += row("off by", ulps_text(failure), paint);
-    std::vector<std::string> with = failure.subcases;
-    with.insert(with.end(), failure.contexts.begin(), failure.contexts.end());
-    text += row("with", joined(with), paint);
+    text += ray_rows(failure, paint);
+    text += row("with", joined(inputs_of(failure)), paint);
     if (!failure.file.empty())
         text += row("at", fmt::format("{}:{}", shown((workspace.root / failure.file).lexically_normal()), failure.line),
                     paint);
@@ -116,6 +191,47 @@ std::string bar(std::size_t done, std::size_t all, const Paint& paint) {
     std::string filled, empty;
     for (std::size_t i = 0; i < width; ++i) (i < full ? filled : empty) += i < full ? "█" : "░";
     return paint.good(filled) + paint.faint(empty);
+}
+
+/// The option by which the viewer shows the rule that a failing test is about; "" if it is about none.
+std::string rule_option(const Exercise& exercise, const CaseResult& shown) {
+    const Function* const function = function_tested_by(exercise, shown.name);
+    const auto is_meant = [&](std::string_view name, std::string_view called) {
+        if (function && !function->rule.empty()) return function->rule == name;
+        return (function && function->name == called) || shown.name.starts_with(fmt::format("{}:", called));
+    };
+    for (const auto& [name, rule, help] : sphere_rules)
+        if (is_meant(name, struct_of(rule))) return fmt::format(" --sphere {}", name);
+    for (const auto& [name, rule, help] : triangle_rules)
+        if (is_meant(name, struct_of(rule))) return fmt::format(" --triangle {}", name);
+    return "";
+}
+
+/// How to open the ray of the failing test in the viewer; what is missing for the learner's own picture of it.
+std::string ray_to_look_at(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
+    if (!tested.pixel) return "";
+    const Workspace& workspace = learner.workspace();
+    std::string command = fmt::format("{} view {} --pixel {},{}{}",
+                                      command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
+                                      shell_word(shown(learner.failing_scene_file())), tested.pixel->first,
+                                      tested.pixel->second, rule_option(exercise, *tested.judgement.shown));
+    std::string missing;
+    if (exercise.own_picture != OwnPicture::none) {
+        command += fmt::format(" --mine={}", exercise.number);
+        if (workspace.folder != workspace.usual_folder) command += " --folder " + shell_word(shown(workspace.folder));
+        for (std::size_t i = 0; i < exercise.functions.size(); ++i)
+            if (tested.judgement.functions[i].state == State::not_written)
+                missing += fmt::format("{}`{}`", missing.empty() ? "" : ", ", exercise.functions[i].name);
+    }
+    std::string text = fmt::format("  Look at this ray:  {}\n", command);
+    if (!missing.empty())
+        text += fmt::format("  {}\n",
+                            paint.faint(wrapped(fmt::format("Yours is not drawn yet where it needs {}: only ours is "
+                                                            "there to see.",
+                                                            missing),
+                                                21, paint.width)
+                                            .insert(0, std::string(19, ' '))));
+    return text;
 }
 
 std::string passed_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
@@ -142,6 +258,33 @@ std::string Paint::set(std::string_view code, std::string_view text) const {
     return colours && !text.empty() ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
 }
 
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+    const auto length = [](std::string_view part) {  // UTF-8: bytes that continue a character do not count
+        return static_cast<std::size_t>(
+            std::ranges::count_if(part, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    };
+    std::string lines;
+    std::size_t column = indent;
+    bool begins = true;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+        const std::string_view word = text.substr(0, end);
+        const bool ends_line = end < text.size() && text[end] == '\n';
+        if (!begins && column + 1 + length(word) > width) {
+            lines += '\n' + std::string(indent, ' ');
+            column = indent;
+            begins = true;
+        }
+        if (!begins) lines += ' ', ++column;
+        lines += word;
+        column += length(word);
+        begins = ends_line;
+        if (ends_line) lines += '\n' + std::string(indent, ' '), column = indent;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
 std::string ulps_text(const Failure& failure) {
     constexpr double most = 1e6;
     double ulps = 0;
@@ -162,7 +305,7 @@ std::string error_text(const CompileError& error, const Paint& paint) {
                                                                    : "this does not compile with your headers");
     if (!error.source.empty()) text += '\n' + indented(with_caret(error), "    ");
     text += '\n';
-    if (!error.plain.empty()) text += fmt::format("  {}\n", printable(error.plain));
+    if (!error.plain.empty()) text += fmt::format("  {}\n", wrapped(printable(error.plain), 2, paint.width));
     text += row("compiler", printable(error.message), paint);
     if (error.others > 0)
         text += fmt::format("  {}\n",
@@ -197,7 +340,7 @@ std::string status_text(Learner& learner, const Paint& paint) {
         text += fmt::format("  {} {:<10} {}  {}\n", exercise.number, exercise.title,
                             bar(progress.passed ? functions.size() : done, functions.size(), paint), words);
         if (&exercise == &present && !progress.passed)
-            text += fmt::format("               {}\n", functions_line(exercise, functions, paint));
+            text += fmt::format("               {}\n", functions_line(exercise, functions, 15, paint));
     }
     const LessonProgress& progress = learner.progress(present);
     if (progress.passed)
@@ -252,18 +395,17 @@ std::string tested_text(Learner& learner, const Exercise& exercise, const Tested
     std::string text =
         fmt::format("{}  {}\n", paint.strong(fmt::format("Lesson {}, {}", exercise.number, exercise.title)),
                     paint.faint(fmt::format("({:.1f} s)", tested.took.count())));
-    if (!run.error) text += "  " + functions_line(exercise, tested.judgement.functions, paint) + '\n';
+    if (!run.error) text += "  " + functions_line(exercise, tested.judgement.functions, 2, paint) + '\n';
     text += '\n';
     if (run.passed()) return text + passed_text(learner, exercise, tested, paint);
     text += first_wrong_text(workspace, exercise, run, tested.judgement, paint);
     if (run.error || !tested.judgement.shown) return text;
     text += '\n';
-    if (!tested.recognised.name.empty())
-        text += fmt::format("  {} {}\n", paint.strong("This looks familiar."), tested.recognised.looks_like);
-    if (tested.pixel)
-        text += fmt::format("  Look at this ray:  {} view {} --pixel {},{} --mine\n",
-                            command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
-                            shell_word(shown(learner.failing_scene_file())), tested.pixel->first, tested.pixel->second);
+    const Recognised& recognised = tested.recognised;
+    if (!recognised.name.empty()) text += paragraph("This looks familiar.", recognised.looks_like, paint);
+    if (!recognised.description.empty()) text += paragraph("What the checks show:", recognised.description, paint);
+    if (!recognised.also_looks_like.empty()) text += paragraph("Also:", recognised.also_looks_like, paint);
+    text += ray_to_look_at(learner, exercise, tested, paint);
     text += fmt::format("  A hint:            {}\n", command_line(workspace, fmt::format("hint {}", exercise.number)));
     return text;
 }

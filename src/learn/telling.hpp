@@ -9,6 +9,7 @@ namespace glassbox::learn {
 /// How text is styled for a terminal; plain elsewhere.
 struct Paint {
     bool colours = false;
+    std::size_t width = 100;  ///< of a line, in characters
 
     std::string good(std::string_view text) const { return set("32", text); }
     std::string bad(std::string_view text) const { return set("31", text); }
@@ -18,6 +19,10 @@ struct Paint {
 private:
     std::string set(std::string_view code, std::string_view text) const;
 };
+
+/// Returns a text in lines of at most `width` characters, broken between words; each but the first begins with
+/// `indent` spaces, and the first has `indent` characters before it. A longer word has a line of its own.
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width);
 
 /// Returns the command line to type here, such as "./glassbox learn test 2".
 std::string command_line(const Workspace& workspace, std::string_view words);

@@ -64,6 +64,7 @@ TEST_CASE("a classic mistake is told with its test, its numbers and its name's w
     check_has(ran.out, "expected");
     check_has(ran.out, "This looks familiar.");
     check_has(ran.out, "view mine/.glassbox/failing.toml --pixel ");
+    check_has(ran.out, " --mine=2 --folder mine\n");
     CHECK(fs::exists(home() / "mine/.glassbox/failing.toml"));
     check_has(learn({"mistake", "2"}).out, "normal-inwards");
 }
@@ -115,10 +116,39 @@ TEST_CASE("the solution can be piped, passes, and makes a picture; that one gave
     const Ran picture = learn({"picture", "2", "--mistake", "nearest-is-farthest", "-o", "wrong.png"});
     CHECK(picture.status == 0);
     CHECK(content(home() / "wrong.png").starts_with("\x89PNG"));
+    check_has(picture.out, "wrong.png is written: ");
+    check_has(picture.out, "the picture of lesson 2 with the mistake nearest-is-farthest");
     const Ran none = learn({"picture", "3", "-o", "none.png"});
     CHECK(none.status == 1);
     check_has(none.err, "is not written yet");
     CHECK_FALSE(fs::exists(home() / "none.png"));
+}
+
+TEST_CASE("a lesson that is reset stands as one that is not begun") {
+    learn({"reset", "4"});
+    const std::string status = learn({"status"}).out;
+    check_has(status, "4 Shading    ░░░░░░░░░░░░  0 of 6 functions, the solution was shown");
+}
+
+TEST_CASE("what no mistake explains is described, with the inputs of the check, and by the rule that is tested") {
+    learn({"reset", "2"});
+    fs::copy_file(fs::path(ROOT) / "src/core/2-spheres/crossing.hpp", home() / "mine/2-spheres/crossing.hpp",
+                  fs::copy_options::overwrite_existing);
+    std::string solution = content(fs::path(ROOT) / "src/core/2-spheres/sphere.hpp");
+    // the brackets forgotten: right where D·D is 1 or the roots are not divided at all
+    const std::string roots = "return {real, (-b - root) / a, (-b + root) / a};";
+    REQUIRE(solution.find(roots) != std::string::npos);
+    solution.replace(solution.find(roots), roots.size(), "return {real, -b - root / a, -b + root / a};");
+    std::ofstream(home() / "mine/2-spheres/sphere.hpp") << solution;
+    const Ran ran = learn({"test", "2"});
+    CHECK(ran.status == 1);
+    check_has(ran.out, "✗ Textbook in mine/2-spheres/sphere.hpp:");
+    check_has(ran.out, "ray       P = (-10, 3, 0), D = (3, 0, 0)\n");
+    check_has(ran.out, "sphere    c = (0, 0, 0), r = 5\n");
+    check_has(ran.out, "What the checks show: ");
+    check_has(ran.out, "|D| is not 1");
+    check_has(ran.out, " --sphere textbook --mine=2 --folder mine\n");
+    CHECK(ran.out.find("This looks familiar.") == std::string::npos);
 }
 
 TEST_CASE(
@@ -165,6 +195,8 @@ TEST_CASE("a bad command line is refused in the words of the command that it nam
     check_refused(home(), {"learn", "picture", "1"}, 2, {"glassbox learn picture: error: --out is missing"});
     check_refused(home(), {"learn", "test", "nine"}, 1, {"there is no lesson 'nine'"});
     check_refused(home(), {"learn", "mistake", "1", "croos-swapped"}, 1, {"did you mean 'cross-swapped'?"});
+    check_refused(home(), {"view", "--mine=7"}, 2,
+                  {"--mine: no picture beside ours is made by what lesson 7 teaches", "glassbox learn picture 7"});
 }
 
 TEST_CASE("a compiler that is not there is asked for by name") {

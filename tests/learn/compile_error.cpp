@@ -140,6 +140,34 @@ TEST_CASE("a name that g++ gives and then explains is the explained one") {
                          "return") == "The function must return double, and this is Vec3<double>.");
 }
 
+TEST_CASE("a member that is not there is answered with those of its own type") {
+    const Project project;
+    std::ofstream(project.folder / fs::path("src/core/2-spheres/sphere.hpp"))
+        << "template <class Real>\nstruct Sphere {\n    Vec3<Real> c;\n    Real r{}, s = 2;  ///< radius; more\n"
+           "    static constexpr int no = 1;\n};\n";
+    CHECK(project
+              .error("my/1-rays/vec3.hpp:2:1: error: 'const struct glassbox::Sphere<double>' has no member named "
+                     "'q'\n")
+              .plain == "A Sphere has no member q: it has c, r and s.");
+    CHECK(project.error("my/1-rays/vec3.hpp:2:1: error: no member named 'q' in 'glassbox::Sphere<double>'\n").plain ==
+          "A Sphere has no member q: it has c, r and s.");
+    CHECK(project.error("my/1-rays/vec3.hpp:2:1: error: no member named 'q' in 'glassbox::Cone<double>'\n").plain ==
+          "There is no member q in Cone<double>: is it spelt right?");
+}
+
+TEST_CASE("a missing ) is not called a semicolon, on one line or on two") {
+    const Project project;
+    std::ofstream(project.mine / "1-rays" / "vec3.hpp") << "int a = 1;\n    if (a > b {\n    if (f(a) &&\n"
+                                                           "        f(b) {\n    f(a)\n}\n";
+    const auto plain = [&](const char* place) {
+        return project.error(fmt::format("my/1-rays/vec3.hpp:{}: error: expected ';' before '{{' token\n", place))
+            .plain;
+    };
+    CHECK(plain("2:14").starts_with("A ( is not closed"));
+    CHECK(plain("4:13").starts_with("A ( is not closed"));
+    CHECK(plain("5:9").find("semicolon is missing") != std::string::npos);
+}
+
 TEST_CASE("the first error in the learner's own file is the one, though others come before it") {
     const Project project;
     const CompileError error = project.error(

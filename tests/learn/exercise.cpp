@@ -62,6 +62,8 @@ std::string complaint(const std::string& text) {
     return message.substr(std::min(message.find("exercise.toml"), message.size()));
 }
 
+using Names = std::vector<std::string>;
+
 CaseResult failing(const std::string& name, const std::string& expression, const std::string& got) {
     Failure failure;
     failure.expression = expression;
@@ -118,7 +120,8 @@ TEST_CASE("gots are the same where the words are, and the numbers nearly") {
     CHECK(same_got("", ""));
 }
 
-TEST_CASE("a run looks like the mistake that shares most: all that it fails must fail here, with the same got") {
+TEST_CASE(
+    "a run may have a mistake if all that it fails fails here, with the same got; the one that shares most first") {
     const std::vector<Trace> known{{"small", "one", "f(): 3"},
                                    {"large", "one", "f(): 3"},
                                    {"large", "two", "g(): 4"},
@@ -126,45 +129,65 @@ TEST_CASE("a run looks like the mistake that shares most: all that it fails must
                                    {"other", "three", "h(): 5"}};
     TestRun run;
     run.cases = {failing("one", "f()", "3"), failing("two", "g()", "4 (0x1p+2)"), {"three"}};
-    CHECK(looks_like(run, known) == "large");
+    CHECK(candidates(run, known) == Names{"large", "small"});
     run.cases[1] = {"two"};
-    CHECK(looks_like(run, known) == "small");
+    CHECK(candidates(run, known) == Names{"small"});
     run.cases[0] = failing("one", "f()", "7");
-    CHECK(looks_like(run, known) == "");
+    CHECK(candidates(run, known).empty());
     // what fails only because something is not written yet is no evidence for or against a mistake
     run.cases = {failing("one", "f()", "3"), not_written("two", "g"), {"three"}};
-    CHECK(looks_like(run, known) == "large");  // "small" fails so, too: the first by name
+    CHECK(candidates(run, known) == Names{"large", "small"});  // by name
     run.cases = {not_written("one", "f"), not_written("two", "g"), {"three"}};
-    CHECK(looks_like(run, known) == "");
+    CHECK(candidates(run, known).empty());
+    // the same got is not enough where other checks of the case go otherwise
+    run.cases = {failing("one", "f()", "3"), {"two"}, {"three"}};
+    run.cases[0].checks = "+-";
+    const std::vector<Trace> exactly{{"a", "one", "f(): 3", "+-"}, {"b", "one", "f(): 3", "--"}};
+    CHECK(candidates(run, exactly) == Names{"a"});
 }
 
-TEST_CASE(
-    "of two mistakes at once the one is named that the failure shown is of; else it is said of which function it is") {
+TEST_CASE("a mistake is named only where it explains the failure that is shown, and all others of that function") {
     const Folder folder;
     const std::vector<Trace> known{{"down", "normal: up", "n: -1"},
                                    {"farthest", "nearest: of two", "t: 8"},
-                                   {"farthest", "nearest: of three", "t: 9"}};
-    TestRun run;
-    run.cases = {failing("nearest: of two", "t", "8"), failing("nearest: of three", "t", "9"),
-                 failing("normal: up", "n", "-1")};
-    CHECK(looks_like(run, known) == "farthest");  // more tests
-    CHECK(looks_like(run, known, &run.cases[0]) == "farthest");
-    CHECK(looks_like(run, known, &run.cases[2]) == "down");
-
+                                   {"farthest", "nearest: of three", "t: 9"},
+                                   {"tie", "nearest: of equal ones", "t: 4"}};
     Exercise exercise;
     exercise.lesson = folder.path;
     exercise.headers = {"sphere.hpp"};
     exercise.functions = {{"nearest", "sphere.hpp", {"nearest:"}, {}}, {"normal", "sphere.hpp", {"normal:"}, {}}};
     std::ofstream(folder / "mistakes.json") << written(known);
     std::ofstream toml(folder / "mistakes.toml");
-    for (const char* name : {"farthest", "down"})
+    for (const char* name : {"farthest", "down", "tie"})
         toml << "[[mistake]]\nname = '" << name << "'\nheader = 'sphere.hpp'\ninstead_of = 'a'\nwrites = 'b'\n"
              << "looks_like = 'It is " << name << ".'\n";
     toml.close();
-    CHECK(recognised(exercise, run, judged(exercise, run)).looks_like == "It is farthest.");
-    run.cases[0] = failing("nearest: of two", "t", "7");  // no known mistake: the recognised one is elsewhere
-    CHECK(recognised(exercise, run, judged(exercise, run)).looks_like ==
-          "In `normal`, not in the failure above: It is down.");
+    const auto told = [&](const TestRun& run) { return recognised(exercise, run, judged(exercise, run)); };
+    const CaseResult two = failing("nearest: of two", "t", "8"), three = failing("nearest: of three", "t", "9"),
+                     equal = failing("nearest: of equal ones", "t", "4"), up = failing("normal: up", "n", "-1");
+
+    TestRun run;
+    run.cases = {two, three, {"nearest: of equal ones"}, {"normal: up"}};
+    CHECK(told(run).looks_like == "It is farthest.");
+    CHECK(told(run).also.empty());
+    // in another function
+    run.cases[3] = up;
+    CHECK(told(run).looks_like == "It is farthest.");
+    CHECK(told(run).also_looks_like == "In `normal`: It is down.");
+    // in the same
+    run.cases = {two, three, equal, {"normal: up"}};
+    CHECK(told(run).name == "farthest");
+    CHECK(told(run).also_looks_like == "It is tie.");
+    // a failure of the same function that nothing explains: then nothing is named there
+    run.cases[2] = failing("nearest: of equal ones", "t", "5");
+    CHECK(told(run).name.empty());
+    run.cases[3] = up;
+    CHECK(told(run).name.empty());
+    CHECK(told(run).also_looks_like == "In `normal`: It is down.");
+    // nor where the failure that is shown is not explained
+    run.cases = {failing("nearest: of two", "t", "7"), three, {"nearest: of equal ones"}, {"normal: up"}};
+    CHECK(told(run).name.empty());
+    CHECK(told(run).also.empty());
 }
 
 TEST_CASE("a function that calls one that is not written waits for it, and has not failed") {
@@ -267,7 +290,7 @@ TEST_CASE("ulps are told of a number that is nearly right, and of no other") {
 
 TEST_CASE("traces are written a line each, and read again") {
     const Folder folder;
-    const std::vector<Trace> traces{{"a", "says \"x\"<double>", "f(): 3"}, {"b", "two", "threw −1"}};
+    const std::vector<Trace> traces{{"a", "says \"x\"<double>", "f(): 3", "++-~"}, {"b", "two", "threw −1"}};
     std::ofstream(folder / "mistakes.json") << written(traces);
     CHECK(read_traces(folder / "mistakes.json") == traces);
     const std::string text = written(traces);

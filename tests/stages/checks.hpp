@@ -26,17 +26,23 @@ namespace glassbox::test {
 template <class Real>
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
-/// Sizes from 1e-10 to 1e10. Powers of two, as multiplying by those rounds nothing: what holds at size 1 to the bit
-/// must hold at each of these to the bit.
+/// Sizes from 1e-10 to 1e10, 1 first: what fails is told with the first size that fails. Powers of two, as multiplying
+/// by those rounds nothing: what holds at size 1 to the bit must hold at each of these to the bit.
 template <class Real>
-constexpr std::array<Real, 5> sizes{Real(0x1p-33), Real(0x1p-13), Real(1), Real(0x1p13), Real(0x1p33)};
+constexpr std::array<Real, 5> sizes{Real(1), Real(0x1p13), Real(0x1p-13), Real(0x1p33), Real(0x1p-33)};
 
-/// Random numbers, the same ones on every machine: the standard fixes its engines, but not its distributions.
+/// Random numbers, the same ones on every machine: the standard fixes its engines, but not its distributions. The first
+/// ones are few digits long, for whoever must read with what a test fails.
 class Dice {
 public:
     template <class Real>
     Real between(Real low, Real high) {
-        return low + (high - low) * (static_cast<Real>(engine() >> 11) * Real(0x1p-53));
+        const std::uint64_t bits = engine();
+        if (short_ones > 0) {  // an odd number of 16ths of the way: no end, no middle
+            --short_ones;
+            return low + (high - low) * (static_cast<Real>(bits >> 61 << 1 | 1) / 16);
+        }
+        return low + (high - low) * (static_cast<Real>(bits >> 11) * Real(0x1p-53));
     }
 
     template <class Real>
@@ -57,6 +63,7 @@ public:
 
 private:
     std::mt19937_64 engine{2014};
+    int short_ones = 60;
 };
 
 /// |a|, for bounds and weights in tests: without the learner's own `length`.
@@ -75,11 +82,27 @@ double ulps(const Vec3<Real>& got, const Vec3<Real>& expected) {
     return static_cast<double>(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) / ulp);
 }
 
+/// The same, component by component, each in units in its own last place.
+template <class Real>
+double ulps_by_component(const Vec3<Real>& got, const Vec3<Real>& expected) {
+    return std::max({ulps(got.x, expected.x), ulps(got.y, expected.y), ulps(got.z, expected.z)});
+}
+
 template <class Real>
 std::string shown(const Vec3<Real>& vector) {
     std::ostringstream out;
     out << vector;
     return out.str();
+}
+
+/// What is told of a vector that must be right in every bit is told of its components: its length hides small ones.
+template <class Real>
+void check_ulps(const Vec3<Real>& got, const Vec3<Real>& expected, double most, const char* expression,
+                const char* file, int line) {
+    const double apart = ulps(got, expected);
+    if (apart <= most) return passed(expression, line, compared(expected));
+    failed({file, line, expression, shown(expected), shown(got), most > 0 ? apart : ulps_by_component(got, expected),
+            compared(expected), compared(got)});
 }
 
 /// For differences that cancel, where ulps of the (tiny) result would say nothing.
@@ -90,8 +113,9 @@ bool within(Real got, Real expected, Real most) {
 
 template <class T>
 void check_within(const T& got, const T& expected, const T& most, const char* expression, const char* file, int line) {
-    if (within(got, expected, most)) return passed();
-    failed({file, line, expression, shown(expected), shown(got), ulps(got, expected)});
+    if (within(got, expected, most)) return passed(expression, line, compared(expected));
+    failed(
+        {file, line, expression, shown(expected), shown(got), ulps(got, expected), compared(expected), compared(got)});
 }
 
 }  // namespace glassbox::test

@@ -256,6 +256,85 @@ std::string suggested(const CompileError& error) {
     return "";
 }
 
+/// Whether the compiler misses a semicolon where a statement has more ( than ) so far.
+bool lacks_parenthesis(const CompileError& error) {
+    if (error.message.find("xpected ';'") == std::string::npos) return false;
+    const auto ends_statement = [](std::string_view line) {
+        const std::size_t last = line.find_last_not_of(" \t\r");
+        return last == std::string_view::npos || line[0] == '#' ||
+               std::string_view(";{}").find(line[last]) != std::string_view::npos;
+    };
+    std::string statement = error.source.substr(0, error.place.column);
+    for (std::size_t line = error.place.line; line-- > 1;) {
+        const std::string before = line_of(error.place.file, line);
+        if (ends_statement(before)) break;
+        statement.insert(0, before + '\n');
+    }
+    return std::ranges::count(statement, '(') > std::ranges::count(statement, ')');
+}
+
+/// "c and r": the members of a struct, as our headers or the learner's declare it; "" if they do not.
+std::string members_of(const std::string& name, const OwnHeaders& mine, const fs::path& root) {
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (const fs::path& folder : {mine.folder, root / "src/core"})
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none))
+            if (entry.path().extension() == ".hpp") files.push_back(entry.path());
+    for (const fs::path& file : files) {
+        bool inside = false;
+        std::vector<std::string> members;
+        const std::string text = content_of(file);
+        for (const std::string_view line : lines_of(text)) {
+            if (line.starts_with("struct " + name + " {") && line.find('}') == std::string_view::npos) inside = true;
+            if (inside && line.starts_with("}")) break;
+            // "    Vec3<Real> P, D;  ///< …", or with values in braces
+            const std::string_view declared = line.substr(0, line.find(';'));
+            if (!inside || declared.size() == line.size() || declared.find('(') != std::string_view::npos ||
+                declared.find("static") != std::string_view::npos || declared.find("using") != std::string_view::npos)
+                continue;
+            // A name is the last word before a comma, a value or the end.
+            std::string word, last;
+            int depth = 0;
+            bool has_value = false;
+            for (const char c : std::string(declared) + ',') {
+                if (c == '{' || c == '<') ++depth;
+                has_value |= c == '=' || (c == '{' && !word.empty()) || (c == '{' && !last.empty());
+                if (!has_value && depth == 0 && (std::isalnum(static_cast<unsigned char>(c)) || c == '_')) word += c;
+                else if (!word.empty()) last = std::exchange(word, "");
+                if (c == ',' && depth == 0 && !last.empty()) {
+                    members.push_back(std::exchange(last, ""));
+                    has_value = false;
+                }
+                if (c == '}' || c == '>') --depth;
+            }
+        }
+        if (!members.empty()) {
+            const std::string last = members.back();
+            members.pop_back();
+            return members.empty() ? last : fmt::format("{} and {}", fmt::join(members, ", "), last);
+        }
+    }
+    return "";
+}
+
+/// Returns what members there are, where one is asked for that is not; "" for any other error.
+std::string of_members(const CompileError& error, const OwnHeaders& mine, const fs::path& root) {
+    const auto quoted_after = [&](std::string_view opening) {
+        const std::size_t at = error.message.find(opening);
+        if (at == std::string::npos) return std::string();
+        const std::string rest = error.message.substr(at + opening.size());
+        return rest.substr(0, rest.find('\''));
+    };
+    const bool is_gcc = error.message.find("' has no member named '") != std::string::npos;
+    const std::string member = quoted_after(is_gcc ? "' has no member named '" : "no member named '");
+    std::string type = quoted_after(is_gcc ? "'" : "' in '");
+    if (member.empty() || type.empty()) return "";
+    type = type.substr(0, type.find('<'));
+    type = type.substr(type.find_last_of(": ") == std::string::npos ? 0 : type.find_last_of(": ") + 1);
+    const std::string members = members_of(type, mine, root);
+    return members.empty() ? "" : fmt::format("A {} has no member {}: it has {}.", type, member, members);
+}
+
 /// Returns the words for an include of something that a later lesson introduces.
 std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
     std::string name;
@@ -364,6 +443,9 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const OwnH
         error.plain = suggested(error);
     }
     if (error.plain.empty()) error.plain = of_a_later_lesson(error, folder);
+    if (error.plain.empty()) error.plain = of_members(error, mine, folder);
+    if (error.plain.empty() && error.yours && lacks_parenthesis(error))
+        error.plain = "A ( is not closed: its ) is missing before this.";
     if (error.plain.empty()) error.plain = in_plain_words(error.message, operation_at(error));
     if (!error.yours && error.plain.empty())
         error.plain =

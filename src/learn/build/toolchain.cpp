@@ -57,9 +57,9 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     const fs::path doctest = doctest_folder();
     std::vector<std::string> parts{tools.compiler.program, tools.compiler.identity, state_of(doctest / "doctest.h")};
     parts.insert(parts.end(), test_flags.begin(), test_flags.end());
-    for (const char* file :
-         {"src/learn/check/runner/prelude.hpp", "src/learn/check/runner/main.cpp", "src/learn/check/runner/picture.cpp",
-          "src/learn/subprocess/last_words.hpp", "tests/support/ulps.hpp", "tests/support/traced_ray.hpp"})
+    for (const char* file : {"src/learn/check/runner/prelude.hpp", "src/learn/check/runner/main.cpp",
+                             "src/learn/check/runner/picture.cpp", "src/learn/subprocess/last_words.hpp",
+                             "tests/support/ulps.hpp", "tests/support/traced_ray.hpp", "tests/support/seen.hpp"})
         parts.push_back(read_text(workspace.root / file));
     parts.push_back(workspace.root.string());  // clang++ records where its headers were
     tools.identity = fingerprint(parts);

@@ -12,6 +12,7 @@
 #include <span>
 #include <tuple>
 
+#include "learn/check/description.hpp"
 #include "output/whole_file.hpp"
 #include "scene/text_file.hpp"
 
@@ -59,6 +60,12 @@ const Function* function_of(const std::string& mistake, const std::vector<Trace>
     return first;
 }
 
+/// Whether a mistake's trace of a case is what this case left behind.
+bool explains(const Trace& trace, const CaseResult& one) {
+    return trace.test == one.name && same_got(got(*one.failure), trace.got) &&
+           (trace.checks.empty() || one.checks.empty() || trace.checks == one.checks);
+}
+
 bool close(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)) ||
            std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b));
@@ -84,13 +91,13 @@ bool same_got(std::string_view a, std::string_view b) {
 std::vector<Trace> traces_of(const std::string& mistake, const TestRun& run) {
     std::vector<Trace> traces;
     for (const CaseResult& one : run.cases)
-        if (one.failure) traces.push_back({mistake, one.name, got(*one.failure)});
+        if (one.failure) traces.push_back({mistake, one.name, got(*one.failure), one.checks});
     return traces;
 }
 
-std::string looks_like(const TestRun& run, const std::vector<Trace>& known, const CaseResult* shown) {
+std::vector<std::string> candidates(const TestRun& run, const std::vector<Trace>& known) {
     struct Match {
-        bool possible = true, is_shown = false;
+        bool possible = true;
         int tests = 0;
     };
     std::map<std::string, Match> matches;
@@ -100,19 +107,14 @@ std::string looks_like(const TestRun& run, const std::vector<Trace>& known, cons
                                        [&](const CaseResult& one) { return one.name == trace.test; });
         const bool fails = here != run.cases.end() && here->failure;
         if (fails && !here->failure->not_written().empty()) continue;
-        if (!fails || !same_got(got(*here->failure), trace.got)) match.possible = false;
-        match.is_shown |= shown && trace.test == shown->name;
+        if (!fails || !explains(trace, *here)) match.possible = false;
         ++match.tests;
     }
-    std::string best;
-    Match of_best;
-    for (const auto& [name, match] : matches) {
-        if (!match.possible || std::tie(match.is_shown, match.tests) <= std::tie(of_best.is_shown, of_best.tests))
-            continue;
-        best = name;
-        of_best = match;
-    }
-    return best;
+    std::vector<std::string> names;
+    for (const auto& [name, match] : matches)
+        if (match.possible && match.tests > 0) names.push_back(name);
+    std::ranges::stable_sort(names, std::greater{}, [&](const std::string& name) { return matches[name].tests; });
+    return names;
 }
 
 std::vector<Trace> read_traces(const fs::path& file) {
@@ -121,7 +123,7 @@ std::vector<Trace> read_traces(const fs::path& file) {
     std::vector<Trace> traces;
     try {
         for (const Json& one : Json::parse(read_text(file)))
-            traces.push_back({one.at("mistake"), one.at("case"), one.at("got")});
+            traces.push_back({one.at("mistake"), one.at("case"), one.at("got"), one.value("checks", std::string())});
     } catch (const Json::exception&) {
         throw error_at({file.string()},
                        "this is not as a tool made it; make it again: glassbox learn mistake N --record");
@@ -132,9 +134,10 @@ std::vector<Trace> read_traces(const fs::path& file) {
 std::string written(const std::vector<Trace>& traces) {
     std::string text = "[";
     for (const Trace& trace : traces)
-        text += fmt::format("{}\n{}", &trace == traces.data() ? "" : ",",
-                            Json{{"mistake", trace.mistake}, {"case", trace.test}, {"got", trace.got}}.dump(
-                                -1, ' ', false, Json::error_handler_t::replace));
+        text += fmt::format(
+            "{}\n{}", &trace == traces.data() ? "" : ",",
+            Json{{"mistake", trace.mistake}, {"case", trace.test}, {"got", trace.got}, {"checks", trace.checks}}.dump(
+                -1, ' ', false, Json::error_handler_t::replace));
     return text + "\n]\n";
 }
 
@@ -162,6 +165,7 @@ std::vector<Trace> traces_of_all(const Workspace& workspace, const Exercise& exe
             make_mistaken_headers(workspace, exercise, mistakes[i], folder / "headers");
             TestRequest request{folder / "headers", folder};
             request.at_once = false;
+            request.double_first = true;
             const TestRun run = run_tests(workspace, exercise, tools, request, stop);
             found[i] = traces_of(mistakes[i].name, run);
             done(mistakes[i], run);
@@ -179,14 +183,62 @@ std::vector<Trace> traces_of_all(const Workspace& workspace, const Exercise& exe
 
 Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgement& judgement) {
     const std::vector<Trace> known = read_traces(exercise.lesson / "mistakes.json");
-    const std::string name = looks_like(run, known, judgement.shown);
-    if (name.empty()) return {};
+    const std::vector<std::string> names = candidates(run, known);
     const std::vector<Mistake> mistakes = read_mistakes(exercise);
-    const auto mistake = std::ranges::find(mistakes, name, &Mistake::name);
-    if (mistake == mistakes.end()) return {};
-    const Function* made_in = function_of(name, known, exercise);
-    if (!made_in || made_in == judgement.function) return {name, mistake->looks_like};
-    return {name, fmt::format("In `{}`, not in the failure above: {}", made_in->name, mistake->looks_like)};
+    const auto words_of = [&](const std::string& name) {
+        const auto mistake = std::ranges::find(mistakes, name, &Mistake::name);
+        return mistake == mistakes.end() ? std::string() : mistake->looks_like;
+    };
+    const auto explained = [&](const CaseResult& one, const std::string& name) {
+        return std::ranges::any_of(known,
+                                   [&](const Trace& trace) { return trace.mistake == name && explains(trace, one); });
+    };
+    // A mistake is recorded in double, and in other scalars only if double is right.
+    const auto is_recorded = [&](const CaseResult& one, const std::string& name) {
+        const auto in_float = [](const std::string& test) { return test.ends_with("<float>"); };
+        return !one.name.ends_with("<long double>") &&
+               (!in_float(one.name) || std::ranges::any_of(known, [&](const Trace& trace) {
+                   return trace.mistake == name && in_float(trace.test);
+               }));
+    };
+    /// Whether every failure of a function is explained by one of two mistakes.
+    const auto explain_all = [&](const Function* function, const std::string& one, const std::string& other) {
+        return std::ranges::all_of(run.cases, [&](const CaseResult& result) {
+            return !result.failure || !result.failure->not_written().empty() || !is_recorded(result, one) ||
+                   function_tested_by(exercise, result.name) != function || explained(result, one) ||
+                   explained(result, other);
+        });
+    };
+
+    Recognised found;
+    const CaseResult* const shown = judgement.shown;
+    const bool fails = shown && shown->failure && shown->failure->not_written().empty();
+    for (const bool alone : {true, false}) {
+        for (const std::string& one : names)
+            for (const std::string& other : names) {
+                if (!found.name.empty() || !fails || (one == other) != alone || !explained(*shown, one)) continue;
+                if (!explain_all(judgement.function, one, other)) continue;
+                found.name = one;
+                if (!alone) found.also = other;
+            }
+    }
+    // Of two mistakes, the second may be in another function: it is named if it explains all that is wrong there.
+    for (const std::string& one : names) {
+        const Function* made_in = function_of(one, known, exercise);
+        if (!found.also.empty() || made_in == judgement.function || !made_in) continue;
+        const bool is_news = std::ranges::any_of(run.cases, [&](const CaseResult& result) {
+            return result.failure && explained(result, one) && !explained(result, found.name);
+        });
+        if (is_news && explain_all(made_in, one, found.name)) found.also = one;
+    }
+    found.looks_like = words_of(found.name);
+    if (found.looks_like.empty()) found.name.clear();
+    found.also_looks_like = words_of(found.also);
+    const Function* also_in = found.also.empty() ? nullptr : function_of(found.also, known, exercise);
+    if (also_in && also_in != judgement.function)
+        found.also_looks_like = fmt::format("In `{}`: {}", also_in->name, found.also_looks_like);
+    if (found.name.empty()) found.description = description(exercise, run, judgement);
+    return found;
 }
 
 }  // namespace glassbox::learn

@@ -13,9 +13,10 @@ namespace glassbox::learn {
 
 /// How a known mistake fails a test case: a line of mistakes.json.
 struct Trace {
-    std::string mistake;  ///< its name
-    std::string test;     ///< the test case, with its scalar
-    std::string got;      ///< what was checked and what came out, or how it ended
+    std::string mistake;      ///< its name
+    std::string test;         ///< the test case, with its scalar
+    std::string got;          ///< what was checked and what came out, or how it ended
+    std::string checks = {};  ///< CaseResult::checks; "" if that is not known
 
     bool operator==(const Trace&) const = default;
 };
@@ -27,18 +28,22 @@ std::vector<Trace> traces_of(const std::string& mistake, const TestRun& run);
 /// larger.
 bool same_got(std::string_view a, std::string_view b);
 
-/// Returns the known mistake that a run looks like; "" if none. Candidates are the mistakes whose every failing test
-/// fails here, too, with the same result. Prefers one whose failing cases include `shown`, then the one with most
-/// failing tests. Ignores tests that fail here because a function is not written yet.
-std::string looks_like(const TestRun& run, const std::vector<Trace>& known, const CaseResult* shown = nullptr);
+/// Returns the known mistakes that a run may have: those whose every failing test fails here, too, with the same result
+/// in the same checks; the one with most failing tests first. Ignores tests that fail here because a function is not
+/// written yet.
+std::vector<std::string> candidates(const TestRun& run, const std::vector<Trace>& known);
 
-/// A classic mistake that was recognised.
+/// What the detective says of a failed run.
 struct Recognised {
-    std::string name;        ///< "" for none
-    std::string looks_like;  ///< what to say about it, and about which function, if it is not the one looked at first
+    std::string name;        ///< of the classic mistake that explains the failure that is shown; "" if none does
+    std::string looks_like;  ///< what to say about it
+    std::string also;        ///< of another mistake, in another function or in the same; "" for none
+    std::string also_looks_like;
+    std::string description;  ///< where no mistake is named: what the function's checks have in common; may be ""
 };
 
-/// Returns the mistake that a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml.
+/// Returns what a failed run of a lesson's tests looks like, by its mistakes.json and mistakes.toml. A mistake is named
+/// only if it, or it and another one, explain every failure of the function that is looked at first.
 Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgement& judgement);
 
 /// lessons/N-name/mistakes.json: an array, one trace per line, in the order given. Reading throws Error; a missing file

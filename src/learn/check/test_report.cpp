@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -19,6 +20,35 @@ Json parsed(std::string line, const std::string& nonce) {
     Json json = Json::parse(line, nullptr, false);
     const bool ours = json.is_object() && json.value("nonce", Json()) == nonce && json.contains("is");
     return ours ? json : Json();
+}
+
+/// Reads numbers, some of which JSON has as texts: "nan", "-inf".
+std::vector<double> numbers(const Json& json, const char* name) {
+    std::vector<double> all;
+    if (const auto list = json.find(name); list != json.end() && list->is_array())
+        for (const Json& one : *list)
+            all.push_back(one.is_string() ? std::strtod(one.get<std::string>().c_str(), nullptr) : one.get<double>());
+    return all;
+}
+
+std::vector<Input> inputs(const Json& json) {
+    std::vector<Input> all;
+    if (const auto named = json.find("inputs"); named != json.end())
+        for (const auto& [name, value] : named->items()) all.push_back({name, numbers(*named, name.c_str())});
+    return all;
+}
+
+CheckMade check_from(const Json& json) {
+    return {json.value("case", std::string()),
+            json.value("line", std::size_t{0}),
+            json.value("passed", false),
+            json.value("condition", false),
+            printable_lines(json.value("expression", std::string())),
+            numbers(json, "expected"),
+            numbers(json, "got"),
+            inputs(json),
+            numbers(json, "ray"),
+            numbers(json, "surface")};
 }
 
 /// Makes what a learner's code put into its exceptions and numbers printable.
@@ -39,8 +69,9 @@ Failure failure_from(const Json& json) {
     failure.threw = text("threw");
     failure.contexts = texts("contexts");
     failure.subcases = texts("subcases");
-    failure.ray = json.value("ray", std::vector<double>{});
-    failure.surface = json.value("surface", std::vector<double>{});
+    failure.inputs = inputs(json);
+    failure.ray = numbers(json, "ray");
+    failure.surface = numbers(json, "surface");
     if (failure.expected.empty() && failure.threw.empty() && (failure.got == "true" || failure.got == "false"))
         failure.expected = failure.got == "true" ? "false" : "true";
     return failure;
@@ -75,7 +106,10 @@ Report read_report(const std::string& text, const std::string& nonce, const Outc
             report.cases.back().failure = failure_from(json);
         } else if (what == "end" && running) {
             running = false;
+            report.cases.back().checks = json.value("checks", std::string());
             if (!json.value("passed", false) && !report.cases.back().failure) report.cases.back().failure = Failure{};
+        } else if (what == "check") {
+            report.checks.push_back(check_from(json));
         } else if (what == "done") {
             done = true;
         }

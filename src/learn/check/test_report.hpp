@@ -10,6 +10,7 @@ namespace glassbox::learn {
 /// What a test program reported (runner/main.cpp), line by line, and how it ended.
 struct Report {
     std::vector<CaseResult> cases;
+    std::vector<CheckMade> checks;
     std::string disturbed;  ///< why they cannot be trusted, in words; "" if they can
 };
 

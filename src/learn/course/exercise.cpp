@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "render/option_names.hpp"
 #include "scene/named.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
@@ -63,8 +64,17 @@ OwnPicture own_picture(const Value& value) {
                    fmt::format("unknown own_picture {}; {}", in_quotes(name), suggestion(name, names(own_pictures))));
 }
 
+/// The name of a sphere's or a triangle's rule.
+std::string rule_name(const Value& value) {
+    const std::string name = text(value);
+    if (find_named(sphere_rules, name) || find_named(triangle_rules, name)) return name;
+    std::vector<std::string_view> known = names(sphere_rules);
+    for (const std::string_view other : names(triangle_rules)) known.push_back(other);
+    throw error_at(place(value), fmt::format("unknown rule {}; {}", in_quotes(name), suggestion(name, known)));
+}
+
 Function read_function(const Section& section, const std::vector<std::string>& headers) {
-    section.expect_keys({"name", "header", "tests", "question", "formula", "line", "returns", "turn"});
+    section.expect_keys({"name", "header", "tests", "question", "formula", "line", "returns", "turn", "rule"});
     Function function;
     function.name = text_with_something(section.at("name", "name = \"cross\""));
     function.header = header_name(section.at("header", "header = \"vec3.hpp\""), headers);
@@ -74,6 +84,7 @@ Function read_function(const Section& section, const std::vector<std::string>& h
     function.hints[2] = text_with_something(section.at("line", "line = \"return sqrt(dot(a, a));\""));
     function.returns = text_with_something(section.at("returns", "returns = \"Real\""));
     function.turn = section.get("turn", text, std::string());
+    function.rule = section.get("rule", rule_name, std::string());
     function.place = place(section.at("name", ""));
     return function;
 }

@@ -16,6 +16,7 @@ struct Function {
     std::string hints[3];            ///< a question, the formula, the line of code: the whole body
     std::string returns = {};        ///< its type: not_written<Roots<Real>>("Textbook")
     std::string turn = {};           ///< what stands above it in the starter: "// Your turn: …"; may be empty
+    std::string rule = {};           ///< by which the viewer shows its failing rays: "textbook"; "" for the usual one
     Place place = {};                ///< where exercise.toml has it
 };
 inline constexpr int hint_tiers = 3;

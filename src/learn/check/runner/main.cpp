@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <support/seen.hpp>
 #include <support/traced_ray.hpp>
 #include <support/ulps.hpp>
 #include <vector>
@@ -20,6 +21,11 @@
 #include "learn/subprocess/last_words.hpp"
 
 namespace {
+
+using glassbox::test::Compared, glassbox::test::Named, glassbox::test::Seen, glassbox::test::TracedRay;
+
+/// Of each check in a test case so many passes are kept, and so many failures: with which inputs, and what came out.
+constexpr int most_kept = 60;
 
 int report = -1;
 std::string nonce;
@@ -65,38 +71,137 @@ std::string digits(double number) {
     return text;
 }
 
+/// Numbers that JSON does not have become texts.
 template <std::size_t size>
 std::string in_json(const std::array<double, size>& numbers, std::size_t count) {
     std::string list;
-    for (std::size_t i = 0; i < count; ++i) list += (i == 0 ? "" : ",") + digits(numbers[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string number = digits(numbers[i]);
+        list += (i == 0 ? "" : ",") + (std::isfinite(numbers[i]) ? number : in_json(number));
+    }
     return "[" + list + "]";
 }
 
-/// Returns the ray that was traced last, if it can be written down.
-std::string traced_ray() {
-    const glassbox::test::TracedRay& last = glassbox::test::last_traced_ray();
-    const auto finite = [](double number) { return std::isfinite(number); };
-    if (last.numbers == 0 || !std::all_of(last.ray.begin(), last.ray.end(), finite) ||
-        !std::all_of(last.surface.begin(), last.surface.begin() + last.numbers, finite))
-        return "";
-    return member("ray", in_json(last.ray, last.ray.size())) +
-           member("surface", in_json(last.surface, static_cast<std::size_t>(last.numbers)));
+std::string in_json(const Compared& one) { return in_json(one.numbers, static_cast<std::size_t>(one.count)); }
+
+std::string in_json(const std::vector<Named>& inputs) {
+    std::string list;
+    for (const Named& one : inputs)
+        list += (list.empty() ? "" : ",") + in_json(one.name) + ":" +
+                in_json(one.numbers, static_cast<std::size_t>(one.count));
+    return "{" + list + "}";
 }
 
-/// Reports each test case, and the first thing that goes wrong in it.
+/// Returns a ray, if it can be written down.
+std::string in_json(const TracedRay& traced) {
+    const auto finite = [](double number) { return std::isfinite(number); };
+    if (traced.numbers == 0 || !std::all_of(traced.ray.begin(), traced.ray.end(), finite) ||
+        !std::all_of(traced.surface.begin(), traced.surface.begin() + traced.numbers, finite))
+        return "";
+    return member("ray", in_json(traced.ray, traced.ray.size())) +
+           member("surface", in_json(traced.surface, static_cast<std::size_t>(traced.numbers)));
+}
+
+std::vector<Named> inputs_now() { return Seen::now() ? Seen::now()->named() : std::vector<Named>{}; }
+
+/// How hard a number is to read: its binary digits, and how far its point is from them.
+int length_of(double number) {
+    if (number == 0 || !std::isfinite(number)) return 0;
+    int exponent = 0, digits = 0;
+    double rest = std::abs(std::frexp(number, &exponent));
+    for (; rest != 0 && digits < 53; ++digits) rest = 2 * rest - std::floor(2 * rest);
+    return digits + std::abs(exponent);
+}
+
+/// The same for all that a check is given.
+int length_of(const std::vector<Named>& inputs) {
+    const TracedRay& traced = glassbox::test::last_traced_ray();
+    int length = 0;
+    for (const Named& one : inputs)
+        for (int i = 0; i < one.count; ++i) length += length_of(one.numbers[static_cast<std::size_t>(i)]);
+    for (const double number : traced.ray) length += traced.numbers > 0 ? length_of(number) : 0;
+    for (int i = 0; i < traced.numbers; ++i) length += length_of(traced.surface[static_cast<std::size_t>(i)]);
+    return length;
+}
+
+/// A check as it was made once.
+struct Made {
+    bool passed, is_condition;
+    std::string expression;
+    Compared should_be, is;
+    std::vector<Named> inputs;
+    TracedRay traced;
+};
+
+/// A check of a test case, by its line: how often it passed and failed, and some of those times.
+struct Line {
+    int number, passed = 0, failed = 0;
+    std::vector<Made> made;
+};
+
+/// The checks of a test case, in the order in which they were made first.
+struct Case {
+    std::string name;
+    std::vector<Line> lines;
+};
+
+std::vector<Case> cases;
+
+void keep(const char* expression, int number, bool passed, const Compared& should_be, const Compared& is,
+          bool is_condition = false) {
+    if (cases.empty()) return;
+    std::vector<Line>& lines = cases.back().lines;
+    auto line = std::find_if(lines.rbegin(), lines.rend(), [&](const Line& one) { return one.number == number; });
+    if (line == lines.rend()) {
+        lines.push_back({number, 0, 0, {}});
+        line = lines.rbegin();
+    }
+    if (++(passed ? line->passed : line->failed) <= most_kept)
+        line->made.push_back(
+            {passed, is_condition, expression, should_be, is, inputs_now(), glassbox::test::last_traced_ray()});
+}
+
+/// How the checks of a case went, a sign for each: "++-~", the last one failed only sometimes.
+std::string signs(const Case& one) {
+    std::string all;
+    for (const Line& line : one.lines) all += line.failed == 0 ? '+' : line.passed == 0 ? '-' : '~';
+    return all;
+}
+
+/// Tells of the checks that were kept; only where one has failed, as they are many.
+void tell_checks() {
+    const auto failed = [](const Line& line) { return line.failed > 0; };
+    if (std::none_of(cases.begin(), cases.end(),
+                     [&](const Case& one) { return std::any_of(one.lines.begin(), one.lines.end(), failed); }))
+        return;
+    for (const Case& one : cases)
+        for (const Line& line : one.lines)
+            for (const Made& made : line.made)
+                tell("check", member("case", in_json(one.name)) + member("line", std::to_string(line.number)) +
+                                  member("passed", made.passed ? "true" : "false") +
+                                  member("condition", made.is_condition ? "true" : "false") +
+                                  member("expression", in_json(made.expression)) +
+                                  member("expected", in_json(made.should_be)) + member("got", in_json(made.is)) +
+                                  member("inputs", in_json(made.inputs)) + in_json(made.traced));
+}
+
+/// Reports each test case, and the first check that goes wrong in it; of those of one line the one that is made of the
+/// shortest numbers.
 class Reporter : public doctest::IReporter {
 public:
     explicit Reporter(const doctest::ContextOptions&) {}
 
     void test_case_start(const doctest::TestCaseData& test) override {
         subcases_.clear();
-        told_ = false;
+        told_line_ = none_told;
         glassbox::test::last_traced_ray() = {};
+        cases.push_back({test.m_name, {}});
         tell("case", member("name", in_json(test.m_name)));
     }
     void test_case_reenter(const doctest::TestCaseData&) override { subcases_.clear(); }
     void test_case_end(const doctest::CurrentTestCaseStats& end) override {
-        tell("end", member("passed", end.failure_flags == 0 ? "true" : "false"));
+        tell("end", member("passed", end.failure_flags == 0 ? "true" : "false") +
+                        member("checks", in_json(signs(cases.back()))));
     }
     void subcase_start(const doctest::SubcaseSignature& subcase) override {
         subcases_.emplace_back(subcase.m_name.c_str());
@@ -109,16 +214,17 @@ public:
         std::vector<std::string> contexts;
         for (int i = 0; i < get_num_stringified_contexts(); ++i)
             contexts.emplace_back(get_stringified_contexts()[i].c_str());
-        wrong(member("threw", in_json(exception.error_string.c_str())), contexts);
+        wrong(thrown, member("threw", in_json(exception.error_string.c_str())), contexts);
     }
     void log_assert(const doctest::AssertData& check) override {
+        keep_condition(check);
         if (!check.m_failed) return;
         std::string members = place(check.m_file, check.m_line) + member("expression", in_json(check.m_expr));
         if (check.m_threw) members += member("threw", in_json(check.m_exception.c_str()));
         else
             members += member("negated", check.m_at & doctest::assertType::is_false ? "true" : "false") +
                        member("got", in_json(check.m_decomp.c_str()));
-        wrong(members, active_contexts());
+        wrong(check.m_line, members, active_contexts());
     }
     void log_message(const doctest::MessageData& message) override {
         if (message.m_severity & doctest::assertType::is_warn) return;
@@ -128,12 +234,12 @@ public:
                        member("expected", in_json(difference->expected)) + member("got", in_json(difference->got)) +
                        member("ulps", in_json(digits(difference->ulps)));
         else members += member("expression", in_json(message.m_string.c_str())) + member("got", in_json(""));
-        wrong(members, active_contexts());
+        wrong(message.m_line, members, active_contexts());
     }
 
     void report_query(const doctest::QueryData&) override {}
     void test_run_start() override {}
-    void test_run_end(const doctest::TestRunStats&) override {}
+    void test_run_end(const doctest::TestRunStats&) override { tell_checks(); }
     void test_case_skipped(const doctest::TestCaseData&) override {}
 
 private:
@@ -151,14 +257,29 @@ private:
         return contexts;
     }
 
-    void wrong(const std::string& members, const std::vector<std::string>& contexts) {
-        if (told_) return;
-        told_ = true;
-        tell("wrong",
-             members + member("contexts", in_json(contexts)) + member("subcases", in_json(subcases_)) + traced_ray());
+    /// A condition counts as a number, 1 for true.
+    static void keep_condition(const doctest::AssertData& check) {
+        if (!(check.m_at & doctest::assertType::is_normal) || check.m_threw) {
+            keep(check.m_expr, check.m_line, !check.m_failed, {}, {}, true);
+            return;
+        }
+        const double right = check.m_at & doctest::assertType::is_false ? 0 : 1;
+        keep(check.m_expr, check.m_line, !check.m_failed, {{right}, 1}, {{check.m_failed ? 1 - right : right}, 1},
+             true);
     }
 
-    bool told_ = false;
+    void wrong(int line, const std::string& members, const std::vector<std::string>& contexts) {
+        const std::vector<Named> inputs = inputs_now();
+        const int length = length_of(inputs);
+        if (told_line_ != none_told && (line != told_line_ || length >= told_length_)) return;
+        told_line_ = line;
+        told_length_ = length;
+        tell("wrong", members + member("contexts", in_json(contexts)) + member("subcases", in_json(subcases_)) +
+                          member("inputs", in_json(inputs)) + in_json(glassbox::test::last_traced_ray()));
+    }
+
+    static constexpr int none_told = -1, thrown = -2;
+    int told_line_ = none_told, told_length_ = 0;
     std::vector<std::string> subcases_;
 };
 
@@ -172,9 +293,13 @@ template std::string shown(float);
 template std::string shown(double);
 template std::string shown(long double);
 
-void passed() {}
+void passed() { passed("", Seen::now() ? Seen::now()->line() : 0, {}); }
+void passed(const char* expression, int line, const Compared& should_be) {
+    keep(expression, line, true, should_be, should_be);
+}
 
 void failed(const Difference& one) {
+    keep(one.expression, one.line, false, one.should_be, one.is);
     difference = &one;
     ADD_FAIL_CHECK_AT(one.file, one.line, "");
     difference = nullptr;

@@ -16,6 +16,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <support/seen.hpp>
 #include <support/traced_ray.hpp>
 #include <support/ulps.hpp>
 #include <utility>

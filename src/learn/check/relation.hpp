@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "learn/check/test_run.hpp"
+
+namespace glassbox::learn {
+
+/// Returns what all wrong answers have in common, as the end of a sentence: "is half of what is expected"; "" if that
+/// is nothing that we know of. Each of `wrong` is a failed check that compares numbers, or each is a condition.
+std::string relation_of(const std::vector<const CheckMade*>& wrong);
+
+}  // namespace glassbox::learn
