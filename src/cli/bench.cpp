@@ -11,13 +11,13 @@
 #include "cli/bench_embree.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_path.hpp"
-#include "cli/typed.hpp"
 #include "render/render.hpp"
 #include "render/search/surfaces.hpp"
+#include "render/typed.hpp"
 #include "render/view.hpp"
 #include "scene/printable.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_path.hpp"
 
 namespace glassbox {
 
