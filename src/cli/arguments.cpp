@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "cli/scene_path.hpp"
-#include "cli/typed.hpp"
 #include "render/parameters.hpp"
+#include "render/typed.hpp"
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_path.hpp"
 
 namespace glassbox {
 

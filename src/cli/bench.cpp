@@ -6,18 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "bench/bare_numbers.hpp"
 #include "bench/runs.hpp"
 #include "cli/bench_embree.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_path.hpp"
-#include "cli/typed.hpp"
 #include "render/render.hpp"
 #include "render/search/surfaces.hpp"
-#include "render/view.hpp"
+#include "render/typed.hpp"
 #include "scene/printable.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_path.hpp"
 
 namespace glassbox {
 
@@ -37,31 +35,6 @@ std::string times(const std::vector<double>& one, const std::vector<double>& oth
     return to_text(ratio(one, other)) + " times " + what;
 }
 
-/// A scene's surfaces and the rays of its pixels as bare numbers.
-struct Numbers {
-    std::vector<double> spheres, triangles, rays;
-
-    explicit Numbers(const Scene& scene) {
-        const auto add = [](std::vector<double>& to, const Vec3<double>& v) { to.insert(to.end(), {v.x, v.y, v.z}); };
-        const Surfaces<double> all = surfaces<double>(scene, 5);
-        for (const Sphere<double>& sphere : all.spheres) {
-            add(spheres, sphere.C);
-            spheres.push_back(sphere.r);
-        }
-        for (const auto& [A, B, C] : all.triangles)
-            for (const Vec3<double>& vertex : {A, B, C}) add(triangles, vertex);
-        const View seen = view(scene, {});
-        for (int y = 0; y < scene.height; ++y)
-            for (int x = 0; x < scene.width; ++x) {
-                const Ray<double> ray = pixel_ray(seen, x, y, scene.height);
-                add(rays, ray.P);
-                add(rays, ray.D);
-            }
-    }
-
-    BareNumbers bare() const { return {spheres, triangles, rays}; }
-};
-
 Work rendering(const Scene& scene, Scalar scalar, const std::string& name, const Job& job) {
     Options options;
     options.scalar = scalar;
@@ -76,22 +49,6 @@ Speeds timed(const std::vector<Work>& works, int runs) {
 Work counting(const Scene& scene, const std::string& name, const Job& job) {
     const std::array<const Measurement*, 2> counts{find_measurement("tests"), find_measurement("hits")};
     return {name, 1.0 * scene.width * scene.height, [&scene, counts, job] { measure(scene, {}, counts, job); }};
-}
-
-void bench_probes(const Scene& scene, int runs) {
-    const Numbers numbers(scene);
-    const double rays = 1.0 * scene.width * scene.height;
-    double sum = 0;  // keeps the compiler from removing the work
-    const Speeds speeds =
-        timed({{"nearest hit, without probes", rays, [&] { sum += sum_of_t_without_probe(numbers.bare()); }},
-               {"nearest hit, silent probe", rays, [&] { sum += sum_of_t_with_silent_probe(numbers.bare()); }},
-               {"nearest hit, counting probe", rays, [&] { sum += sum_of_t_with_counting_probe(numbers.bare()); }}},
-              runs);
-    print("nearest hit, without probes", speeds[0]);
-    print("nearest hit, silent probe", speeds[1], times(speeds[1], speeds[0], "without probes"));
-    print("nearest hit, counting probe", speeds[2],
-          "takes " + times(speeds[1], speeds[2], "as long as with the silent one"));
-    if (sum < 0) fmt::print("{}\n", sum);
 }
 
 void bench_scene(const std::string& name, const Scene& scene, int runs, const std::stop_token& stop) {
@@ -115,7 +72,6 @@ void bench_scene(const std::string& name, const Scene& scene, int runs, const st
     print(works[2].name, speeds[2],
           papers ? times(speeds[2], speeds[4], "the paper's program") : times(speeds[2], speeds[0], "double"));
     print(works[3].name, speeds[3], "takes " + times(speeds[2], speeds[3], "as long as the picture, certified"));
-    bench_probes(scene, runs);
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/scene_path.hpp"
 #include "engine/vector_check.hpp"
 #include "learn/subprocess/isolation.hpp"
 #include "render/assumptions.hpp"
 #include "scene/printable.hpp"
+#include "scene/scene_path.hpp"
 
 namespace glassbox {
 

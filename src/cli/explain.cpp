@@ -9,10 +9,10 @@
 #include "cli/commands.hpp"
 #include "cli/notes.hpp"
 #include "cli/tell.hpp"
-#include "cli/typed.hpp"
 #include "explain/json.hpp"
 #include "explain/shell_word.hpp"
 #include "explain/text.hpp"
+#include "render/typed.hpp"
 
 namespace glassbox {
 

@@ -8,6 +8,7 @@
 #include "cli/refusal.hpp"
 #include "cli/tell.hpp"
 #include "render/job.hpp"
+#include "render/typed.hpp"
 #include "scene/error.hpp"
 
 namespace {
@@ -38,6 +39,8 @@ int obey(CLI::App& program, int argc, char** argv) {
         return program.exit(wanted);
     } catch (const CLI::RuntimeError& ended) {
         return ended.get_exit_code();
+    } catch (const glassbox::WrongWord& wrong) {
+        throw CLI::ValidationError(wrong.what());
     }
 }
 

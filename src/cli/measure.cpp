@@ -8,9 +8,9 @@
 #include "cli/commands.hpp"
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
-#include "cli/typed.hpp"
 #include "output/output_file.hpp"
 #include "render/render.hpp"
+#include "render/typed.hpp"
 
 namespace glassbox {
 

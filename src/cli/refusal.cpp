@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "cli/did_you_mean.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 

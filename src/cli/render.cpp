@@ -7,9 +7,9 @@
 #include "cli/commands.hpp"
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_path.hpp"
 #include "cli/tell.hpp"
 #include "output/output_file.hpp"
+#include "scene/scene_path.hpp"
 
 namespace glassbox {
 

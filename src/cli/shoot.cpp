@@ -7,12 +7,12 @@
 #include "cli/commands.hpp"
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_path.hpp"
 #include "cli/tell.hpp"
 #include "output/hits_table.hpp"
 #include "output/whole_file.hpp"
 #include "scene/error.hpp"
 #include "scene/rays_file.hpp"
+#include "scene/scene_path.hpp"
 
 namespace glassbox {
 

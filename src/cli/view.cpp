@@ -8,11 +8,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/scene_path.hpp"
-#include "cli/typed.hpp"
-#include "cli/view_script.hpp"
 #include "output/output_file.hpp"
+#include "render/typed.hpp"
+#include "scene/scene_path.hpp"
+#include "scene/text_file.hpp"
 #include "viewer/bench.hpp"
+#include "viewer/script/script.hpp"
 #include "viewer/view.hpp"
 
 namespace glassbox {
@@ -80,8 +81,8 @@ void print(std::vector<double> seconds) {
 
 void run(const ViewRequest& request) {
     const std::optional<WindowSize> size = window_size(request);
-    std::vector<ScriptStep> script;
-    if (!request.script.empty()) script = read_script(request.script);
+    std::vector<script::Command> commands;
+    if (!request.script.empty()) commands = script::read(read_lines(request.script), request.script);
     ViewerState state = first_state(request);
     state.scene_menu.folder = shipped_scenes();
     if (!request.pixel.empty()) {
@@ -94,13 +95,13 @@ void run(const ViewRequest& request) {
     }
     if (!request.screenshot.empty()) {
         check_picture_file(request.screenshot);
-        script.push_back(Screenshot{request.screenshot});
+        commands.emplace_back(script::Screenshot{request.screenshot});
     }
     if (request.bench && !request.mine.empty())
         return print(saving_to_picture(std::move(state), size.value_or(WindowSize{1280, 720}), 10));
     if (request.bench) return print(quickness(std::move(state), size.value_or(WindowSize{1280, 720})));
-    if (script.empty() && request.script.empty()) view(std::move(state), size);
-    else run_script(std::move(state), script, size.value_or(WindowSize{1280, 800}));
+    if (commands.empty() && request.script.empty()) view(std::move(state), size);
+    else script::run(std::move(state), commands, size.value_or(WindowSize{1280, 800}));
 }
 
 }  // namespace

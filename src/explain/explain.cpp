@@ -21,9 +21,11 @@ bool is_on_border(const Scene& scene, int x, int y) {
 }
 
 void tell_surfaces(Story& story, const Scene& scene, const engine::Engine& surfaces, const TracedPixel& pixel,
-                   const std::vector<Rgb>& colors) {
+                   const std::vector<Rgb>& colors, std::optional<ToldTest> test_of_hit) {
     for (const std::size_t number : worth_telling(surfaces, pixel, most_surfaces)) {
-        story::Surface surface = surface_story(surfaces, story.options, pixel, number);
+        std::optional<ToldTest> known;
+        if (story.hit && story.hit->surface == number) known = std::move(test_of_hit);
+        story::Surface surface = surface_story(surfaces, story.options, pixel, number, std::move(known));
         surface.kind = kind_of(scene, number);
         surface.color = colors[number];
         story.surfaces.push_back(std::move(surface));
@@ -51,19 +53,22 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
     story.tested = surfaces.size();
     story.met = said.met.size();
     story.traced = scene.background;
+    std::optional<ToldTest> test_of_hit;
     if (options.stage == 1) {
         auto [color, rounded, steps] = ray_story(said, options.scalar, story.column, story.row, detail);
         story.ray_color = color;
         story.ray_steps = std::move(steps);
         story.traced = rounded;
     } else if (said.nearest) {
-        auto [hit, color] = hit_story(scene, surfaces, options, said, colors[said.nearest->surface], detail);
+        auto [hit, color, test] = hit_story(scene, surfaces, options, said, colors[said.nearest->surface], detail);
         story.hit = std::move(hit);
         story.traced = color;
+        test_of_hit = std::move(test);
     }
     story.border = is_on_border(scene, x, y);
     story.color = story.border ? *scene.border : story.traced;
-    if (detail == Detail::whole && options.stage > 1) tell_surfaces(story, scene, surfaces, said, colors);
+    if (detail == Detail::whole && options.stage > 1)
+        tell_surfaces(story, scene, surfaces, said, colors, std::move(test_of_hit));
     return story;
 }
 

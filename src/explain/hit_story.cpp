@@ -11,7 +11,6 @@
 #include "explain/loss.hpp"
 #include "explain/naming_probe.hpp"
 #include "explain/scalar_of_steps.hpp"
-#include "explain/told_steps.hpp"
 #include "render/lighting.hpp"
 #include "render/search/exact_crossing.hpp"
 #include "render/search/plain_search.hpp"
@@ -24,58 +23,13 @@ namespace {
 
 using namespace story;
 
-/// Looks up a tape's numbers with their bounds and true values; without a replay, only their values.
-class Lookup {
-public:
-    Lookup(const Tape& tape, Detail detail) {
-        if (detail == Detail::whole) checked_ = replay(tape);
-    }
-
-    template <class Real>
-    Number operator()(const Recorded<Real>& number) const {
-        return number.tape() && !checked_.empty() ? checked_[number.step()] : unchecked(number.value());
-    }
-    template <class Real>
-    Vector operator()(const Vec3<Recorded<Real>>& v) const {
-        return {(*this)(v.x), (*this)(v.y), (*this)(v.z)};
-    }
-
-    const std::vector<Checked>& all() const { return checked_; }
-
-private:
-    std::vector<Checked> checked_;
-};
-
-/// The hit, recorded: t as the formula gives it, or, where exact arithmetic decided, as an input.
-template <class Real, class Shape>
-struct RecordedHit {
-    Ray<Recorded<Real>> ray;
-    Shape shape;
-    Recorded<Real> t;
-    bool t_by_exact = false;
-    std::size_t test_steps = 0;  ///< how many steps of the tape are the test
-};
-
-template <class Real, class Shape, class Rule>
-auto record_hit(Tape& tape, NamingProbe<Real>& heard, const TracedPixel& pixel, const Options& options,
-                const Shape& shape, const Rule& rule) {
-    const Ray<Recorded<Real>> ray = input<Real>(tape, pixel.ray);
-    const auto recorded = input<Real>(tape, shape);
-    const Crossing<Recorded<Real>> crossing = intersect(ray, recorded, Chosen{rule}, heard);
-    const std::size_t test_steps = tape.steps().size();
-    const bool by_exact = is_proven(options.scalar) && static_cast<double>(crossing.t.value()) != pixel.nearest->t;
-    const Recorded<Real> t = by_exact ? Recorded<Real>::input(tape, pixel.nearest->t, "t") : crossing.t;
-    name(t, "t");
-    return RecordedHit<Real, std::remove_const_t<decltype(recorded)>>{ray, recorded, t, by_exact, test_steps};
-}
-
 /// The unit normal, as the renderer computes it.
 template <class Real, class Shape>
-Vec3<Recorded<Real>> normal_of(const RecordedHit<Real, Shape>& hit) {
+Vec3<Recorded<Real>> normal_of(const RecordedTest<Real, Shape>& test, const Recorded<Real>& t) {
     PlainSearch<Recorded<Real>, Stable, Pluecker> search{};
-    if constexpr (std::is_same_v<Shape, Sphere<Recorded<Real>>>) search.surfaces.spheres = {hit.shape};
-    else search.surfaces.triangles = {hit.shape};
-    return search.normal_at(hit.ray, {0, hit.t});
+    if constexpr (std::is_same_v<Shape, Sphere<double>>) search.surfaces.spheres = {test.shape};
+    else search.surfaces.triangles = {test.shape};
+    return search.normal_at(test.ray, {0, t});
 }
 
 template <class Real>
@@ -155,35 +109,42 @@ void find_worst(FirstHit& hit) {
 template <class Real, class Shape, class Rule>
 ToldHit told_hit(const Scene& scene, const Options& options, const TracedPixel& pixel, Rgb own, Detail detail,
                  const Shape& shape, const Rule& rule) {
-    Tape tape(Precision::of<Real>());
-    NamingProbe<Real> heard;
-    const auto at_hit = record_hit(tape, heard, pixel, options, shape, rule);
-    const Vec3<Recorded<Real>> point = at(at_hit.ray, at_hit.t);
+    RecordedTest<Real, Shape> test(pixel.ray, shape, rule);
+    Tape& tape = test.tape;
+    // Where exact arithmetic decided, t and n are inputs.
+    const bool t_by_exact =
+        is_proven(options.scalar) && static_cast<double>(test.crossing.t.value()) != pixel.nearest->t;
+    const Recorded<Real> t = t_by_exact ? Recorded<Real>::input(tape, pixel.nearest->t, "t") : test.crossing.t;
+    name(t, "t");
+    const Vec3<Recorded<Real>> point = at(test.ray, t);
     name(point, "point");
-    Vec3<Recorded<Real>> n = normal_of(at_hit);
+    Vec3<Recorded<Real>> n = normal_of(test, t);
     const Vec3<double> by_steps{static_cast<double>(n.x.value()), static_cast<double>(n.y.value()),
                                 static_cast<double>(n.z.value())};
-    const bool by_exact = is_proven(options.scalar) && is_finite(pixel.normal) && by_steps != pixel.normal;
-    if (by_exact) n = input<Real>(tape, pixel.normal, "n");
+    const bool n_by_exact = is_proven(options.scalar) && is_finite(pixel.normal) && by_steps != pixel.normal;
+    if (n_by_exact) n = input<Real>(tape, pixel.normal, "n");
     name(n, "n");
     std::optional<RecordedShade<Real>> shade;
-    if (options.stage >= 4) shade = record_shade(tape, heard, scene, at_hit.ray, n, own);
+    if (options.stage >= 4) shade = record_shade(tape, test.heard, scene, test.ray, n, own);
+    const std::size_t step_count = tape.steps().size();
+    const auto weights = test.weights();
 
     const Lookup look(tape, detail);
     FirstHit hit;
     hit.surface = pixel.nearest->surface;
-    hit.t = look(at_hit.t);
-    hit.t_by_exact = at_hit.t_by_exact;
+    hit.t = look(t);
+    hit.t_by_exact = t_by_exact;
     if (hit.t_by_exact && detail == Detail::whole)
         if (const std::optional<TrueT> truth = exact_crossing(pixel.ray, shape, rule))
             hit.t = checked(pixel.nearest->t, truth->exact());
     hit.point = look(point);
     hit.normal = look(n);
-    if (shade) hit.shade = shade_story(scene, look, heard, *shade, own);
-    hit.steps = told_steps(tape, look.all());
-    hit.tested_before = at_hit.test_steps;
+    if (shade) hit.shade = shade_story(scene, look, test.heard, *shade, own);
+    hit.steps = look.steps(step_count);
+    hit.tested_before = test.step_count;
     find_worst(hit);
-    return {std::move(hit), shade ? shade->color : own};
+    return {std::move(hit), shade ? shade->color : own,
+            detail == Detail::whole ? std::optional(looked_up(test, weights, look)) : std::nullopt};
 }
 
 }  // namespace
@@ -208,7 +169,7 @@ ToldRay ray_story(const TracedPixel& pixel, Scalar scalar, int column, int row, 
         name(color, "colour");
         const Rgb bytes = rounded(color);
         const Lookup look(tape, detail);
-        return {look(color), bytes, told_steps(tape, look.all())};
+        return {look(color), bytes, look.steps(tape.steps().size())};
     });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/engine.hpp"
 #include "explain/explain.hpp"
+#include "explain/told_test.hpp"
 #include "explain/traced_pixel.hpp"
 
 namespace glassbox {
@@ -9,6 +10,7 @@ namespace glassbox {
 struct ToldHit {
     story::FirstHit hit;
     Rgb color;
+    std::optional<ToldTest> test;  ///< of that surface by the chosen rule, on the same tape; with Detail::whole
 };
 
 /// `pixel` must have a nearest surface.

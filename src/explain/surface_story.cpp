@@ -5,10 +5,7 @@
 #include <queue>
 #include <utility>
 
-#include "explain/inputs.hpp"
-#include "explain/naming_probe.hpp"
 #include "explain/scalar_of_steps.hpp"
-#include "explain/told_steps.hpp"
 #include "render/search/exact_crossing.hpp"
 
 namespace glassbox {
@@ -58,70 +55,40 @@ const Hit<long double>* met(const TracedPixel& pixel, std::size_t number) {
     return hit != pixel.met.end() && hit->surface == number ? &*hit : nullptr;
 }
 
-/// A surface's test by a rule, with each operation recorded on a tape.
+template <class Real, class Shape, class Rule>
+ToldTest told_test(const Ray<double>& ray, const Shape& shape, const Rule& rule) {
+    RecordedTest<Real, Shape> test(ray, shape, rule);
+    const auto weights = test.weights();
+    return looked_up(test, weights, Lookup(test.tape));
+}
+
+/// All rules that a surface's story shows; `by_rule` is the test by the chosen one.
 template <class Real>
-struct RecordedTest {
-    Tape tape{Precision::of<Real>()};
-    NamingProbe<Real> heard;
-    Crossing<Recorded<Real>> crossing;
-    std::vector<Checked> checked;
-
-    RecordedTest(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
-        record(ray, sphere, rule);
-    }
-    RecordedTest(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule) {
-        record(ray, triangle, rule);
-    }
-    RecordedTest(const RecordedTest&) = delete;  // the numbers know their tape by its address
-    RecordedTest& operator=(const RecordedTest&) = delete;
-
-    template <class Surface, class Rule>
-    void record(const Ray<double>& ray, const Surface& surface, const Rule& rule) {
-        crossing = intersect(input<Real>(tape, ray), input<Real>(tape, surface), Chosen{rule}, heard);
-    }
-    void replay() { checked = glassbox::replay(tape); }
-
-    Number operator()(const Recorded<Real>& number) const {
-        return number.tape() ? checked[number.step()] : unchecked(number.value());
-    }
-    std::optional<Number> operator()(const std::optional<Recorded<Real>>& number) const {
-        return number ? std::optional((*this)(*number)) : std::nullopt;
-    }
-};
-
-template <class Real>
-RootPair roots_by(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
-    RecordedTest<Real> tested(ray, sphere, rule);
-    tested.replay();
-    return {tested(*tested.heard.discriminant), tested(tested.heard.t0), tested(tested.heard.t1)};
+SphereTest all_tests(const Ray<double>& ray, const Sphere<double>& sphere, const Options& options,
+                     const ToldTest& by_rule) {
+    const auto roots_by = [&](const SphereRule& rule) {
+        const auto roots = [](const ToldTest& test) { return RootPair{*test.discriminant, test.t0, test.t1}; };
+        return rule == options.sphere_rule ? roots(by_rule) : roots(told_test<Real>(ray, sphere, rule));
+    };
+    return {sphere.C, sphere.r, roots_by(Textbook{}), roots_by(Stable{})};
 }
 
 template <class Real>
-SphereTest test_of(const Ray<double>& ray, const Sphere<double>& sphere, const Options&) {
-    return {sphere.C, sphere.r, roots_by<Real>(ray, sphere, Textbook{}), roots_by<Real>(ray, sphere, Stable{})};
-}
-
-template <class Real>
-TriangleTest test_of(const Ray<double>& ray, const Triangle<double>& triangle, const Options& options) {
+TriangleTest all_tests(const Ray<double>& ray, const Triangle<double>& triangle, const Options& options,
+                       const ToldTest& by_rule) {
     const auto* chosen = std::get_if<Tolerance>(&options.triangle_rule);
     const Tolerance rule = chosen ? *chosen : Tolerance{};
-    RecordedTest<Real> tested(ray, triangle, rule);
-    const NamingProbe<Real>& heard = tested.heard;
-    std::array<Recorded<Real>, 3> weights;
-    const bool has_sum = heard.sum->value() != 0;
-    if (has_sum) weights = {*heard.a / *heard.sum, *heard.b / *heard.sum, *heard.c / *heard.sum};
-    tested.replay();
-    TriangleTest result{.vertices = {triangle.A, triangle.B, triangle.C},
-                        .a = tested(*heard.a),
-                        .b = tested(*heard.b),
-                        .c = tested(*heard.c),
-                        .sum = tested(*heard.sum),
-                        .deficit = tested(*heard.deficit),
-                        .tolerance = rule.tolerance,
-                        .accepted = tested.crossing.met,
-                        .weights = {}};
-    if (has_sum) result.weights = {tested(weights[0]), tested(weights[1]), tested(weights[2])};
-    return result;
+    const ToldTest other = chosen ? ToldTest{} : told_test<Real>(ray, triangle, TriangleRule(rule));
+    const ToldTest& test = chosen ? by_rule : other;
+    return {.vertices = {triangle.A, triangle.B, triangle.C},
+            .a = *test.a,
+            .b = *test.b,
+            .c = *test.c,
+            .sum = *test.sum,
+            .deficit = *test.deficit,
+            .tolerance = rule.tolerance,
+            .accepted = test.met,
+            .weights = test.weights};
 }
 
 /// The deciding sign: the true one if the renderer proves it, else that of the computed number.
@@ -170,16 +137,14 @@ Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Opti
 
 template <class Real, class Shape, class Rule>
 Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, const Options& options,
-                const TracedPixel& pixel, std::size_t number) {
+                const TracedPixel& pixel, std::size_t number, std::optional<ToldTest> known) {
+    ToldTest by_rule = known ? *std::move(known) : told_test<Real>(ray, shape, rule);
     Surface result;
     result.number = number;
-    const auto test = test_of<Real>(ray, shape, options);
+    const auto test = all_tests<Real>(ray, shape, options, by_rule);
     result.test = test;
-    RecordedTest<Real> tested(ray, shape, rule);
-    name(tested.crossing.t, "t");
-    tested.replay();
-    if (tested.crossing.t.tape()) result.t = tested(tested.crossing.t);  // if the rule computed it
-    result.steps = told_steps(tested.tape, tested.checked);
+    result.t = by_rule.t;
+    result.steps = std::move(by_rule.steps);
     const Hit<long double>* const hit = met(pixel, number);
     if (!hit) {
         result.fate = why_missed(test, result.t, options);
@@ -241,10 +206,10 @@ std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const Tra
 }
 
 Surface surface_story(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
-                      std::size_t number) {
+                      std::size_t number, std::optional<ToldTest> known) {
     Surface result = with_rule(surfaces, number, options, [&](const auto& shape, const auto& rule) {
         return with_scalar_of_steps(options.scalar, [&]<class Real>(std::type_identity<Real>) {
-            return tell_of<Real>(pixel.ray, shape, rule, options, pixel, number);
+            return tell_of<Real>(pixel.ray, shape, rule, options, pixel, number, std::move(known));
         });
     });
     if (result.fate == Fate::farther && are_as_near(surfaces, options, pixel, number, pixel.nearest->surface))

@@ -1,9 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "engine/engine.hpp"
 #include "explain/story.hpp"
+#include "explain/told_test.hpp"
 #include "explain/traced_pixel.hpp"
 
 namespace glassbox {
@@ -12,8 +14,9 @@ namespace glassbox {
 /// `most` in all; in the order of their numbers.
 std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel, std::size_t most);
 
-/// The story of one surface. The caller fills in its kind and colour.
+/// The story of one surface; `known` is its test by the chosen rule, where it was recorded already. The caller fills in
+/// its kind and colour.
 story::Surface surface_story(const engine::Engine& surfaces, const Options& options, const TracedPixel& pixel,
-                             std::size_t number);
+                             std::size_t number, std::optional<ToldTest> known);
 
 }  // namespace glassbox

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <vector>
 
 namespace glassbox {
 
@@ -27,17 +26,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return d[a.size()][b.size()];
 }
 
-std::string suggestion(std::string_view unknown, std::span<const std::string_view> known) {
+std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known) {
     constexpr std::size_t longest = 100;  // longer names are no typing mistakes
-    if (unknown.size() < longest) {
-        const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
-            return edit_distance(unknown, a) < edit_distance(unknown, b);
-        });
-        const auto near_enough = [&](std::string_view name) {
-            return edit_distance(unknown, name) <= (std::max(unknown.size(), name.size()) + 2) / 3;
-        };
-        if (nearest != known.end() && near_enough(*nearest)) return "did you mean '" + std::string(*nearest) + "'?";
-    }
+    if (unknown.size() >= longest) return "";
+    const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
+        return edit_distance(unknown, a) < edit_distance(unknown, b);
+    });
+    if (nearest == known.end()) return "";
+    const std::size_t most = (std::max(unknown.size(), nearest->size()) + 2) / 3;
+    return edit_distance(unknown, *nearest) <= most ? "did you mean '" + std::string(*nearest) + "'?" : "";
+}
+
+std::string did_you_mean(std::string_view unknown, const std::vector<std::string>& known) {
+    return did_you_mean(unknown, std::vector<std::string_view>(known.begin(), known.end()));
+}
+
+std::string suggestion(std::string_view unknown, std::span<const std::string_view> known) {
+    std::string near = did_you_mean(unknown, known);
+    if (!near.empty()) return near;
     std::string names;
     for (const auto name : known) names += (names.empty() ? "'" : ", '") + std::string(name) + "'";
     return "it must be one of " + names;

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glassbox {
 
@@ -11,5 +12,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The advice for an unknown name: "did you mean 'radius'?", or, if none is near, "it must be one of 'center',
 /// 'radius', 'color'".
 std::string suggestion(std::string_view unknown, std::span<const std::string_view> known);
+
+/// "did you mean 'room'?", or "" if no name is near: for words that need not be one of these names.
+std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known);
+std::string did_you_mean(std::string_view unknown, const std::vector<std::string>& known);
 
 }  // namespace glassbox

@@ -29,6 +29,29 @@ const TriangleTest& triangle(const Story& story, std::size_t row) {
 
 }  // namespace
 
+// The test of the surface that is hit is recorded once: its steps are the ones that the hit's begin with.
+TEST_CASE("the surface that is hit and the hit tell the same steps, by each rule") {
+    Options tolerance, others;
+    tolerance.sphere_rule = Textbook{};
+    tolerance.triangle_rule = Tolerance{};
+    others.sphere_rule = Levental2014{};
+    others.triangle_rule = MoellerTrumbore{};
+    for (const Options& rules : {Options{}, tolerance, others})
+        for (const auto& [column, row] : {std::pair(350, 350), std::pair(350, 100)}) {
+            const Story story = tell(column, row, rules);
+            REQUIRE(story.hit);
+            const std::vector<StoryStep>& steps = story.surfaces.at(story.hit->surface).steps;
+            REQUIRE(steps.size() == story.hit->tested_before);
+            for (std::size_t i = 0; i < steps.size(); ++i) {
+                const StoryStep& of_hit = story.hit->steps.at(i);
+                CHECK(steps[i].step.operation == of_hit.step.operation);
+                CHECK(steps[i].step.value == of_hit.step.value);
+                CHECK((steps[i].name == of_hit.name || of_hit.name.empty()));
+                CHECK(steps[i].checked.error == of_hit.checked.error);
+            }
+        }
+}
+
 // The ray through the middle of the green sphere, (100, 350, 350), r = 50: v = P − c = (400, 0, 0), v·D = −400,
 // v² − r² = 157500, Δ = 400² − 157500 = 2500, t = 400 ± 50. It arrives at (150, 350, 350), where n = (1, 0, 0).
 // l = (4, 1, 1)/√18, so n·l = 4/√18, and green is 255·4/√18 = 240.4. L + r = (1001, 250, 250), and n·h is 1001 over

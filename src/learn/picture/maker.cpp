@@ -105,41 +105,26 @@ Workshop workshop(const Workspace& workspace, const Compiler& compiler, const st
     return shop;
 }
 
-/// A renderer, or why there is none.
-struct Built {
-    fs::path program;
-    std::optional<CompileError> error;
-    std::string words;
-};
+PictureUpdate update(Stand stand, std::string words) {
+    PictureUpdate update;
+    update.stand = stand;
+    update.words = std::move(words);
+    return update;
+}
 
-Built build(const Workspace& workspace, const Exercise& exercise, const Compiler& compiler, const Workshop& shop,
-            const std::vector<std::string>& rules, const fs::path& program, const std::stop_token& stop) {
-    std::vector<std::string> all = flags;
-    all.insert(all.end(), rules.begin(), rules.end());
-    for (const std::string& flag : beginning_with(compiler, shop.folder / shop.precompiled)) all.push_back(flag);
-    const fs::path object = shop.folder / fmt::format("new-{}.o", ::getpid()),
-                   made = shop.folder / fmt::format("new-{}", ::getpid());
-    const Outcome compiled = compile(
-        compiler,
-        {workspace.root / "src/learn/picture/renderer.cpp", object, includes(workspace, exercise), all, workspace.root},
-        stop);
-    if (stop.stop_requested()) throw Cancelled{};
-    Built built{program, compile_error(compiled, own_headers(exercise, workspace.headers_of(exercise)), workspace.root),
-                ""};
-    if (!built.error && !compiled.well()) built.words = "the compiler could not compile it: " + how_it_ended(compiled);
-    if (!built.error && built.words.empty()) {
-        const Outcome linked = link(compiler, {object}, made, stop);
-        if (stop.stop_requested()) throw Cancelled{};
-        built.error = link_error(linked);
-        if (!built.error && !linked.well()) built.words = "the program could not be linked: " + how_it_ended(linked);
-    }
-    std::error_code failed;
-    fs::remove(object, failed);
-    if (built.error || !built.words.empty()) return built;
-    remove_all_that_begin_with(exercise.name + "-", shop.folder);
-    fs::rename(made, program, failed);
-    check(failed, program);
-    return built;
+/// "file:line:column: error: message", for a learner's eyes.
+std::string in_one_line(const CompileError& error) {
+    const Place place{shown(error.place.file), error.place.line, error.place.column};
+    return error_at(place, error.message.empty() ? error.plain : error.message).what();
+}
+
+/// What is to be said of a compiler's or linker's run that failed; none if it did well. `error` is what was found in
+/// its output, `what` what could not be done.
+std::optional<PictureUpdate> failure_of(const Outcome& outcome, std::optional<CompileError> error, const char* what) {
+    if (!error && outcome.well()) return {};
+    PictureUpdate failed = update(Stand::does_not_compile, error ? in_one_line(*error) : what + how_it_ended(outcome));
+    failed.error = std::move(error);
+    return failed;
 }
 
 /// Returns the flags for what the renderer is compiled for.
@@ -148,6 +133,63 @@ std::vector<std::string> rules_of(const Exercise& exercise, const Options& optio
                                        fmt::format("-DGLASSBOX_TRIANGLE_RULE={}", struct_of(options.triangle_rule))};
     if (exercise.own_picture == OwnPicture::by_bounds) flags_for.push_back("-DGLASSBOX_BOUNDED");
     return flags_for;
+}
+
+/// The learner's headers, by their texts. A missing one must not be replaced by ours silently. Throws Error if one is
+/// not there, or if the lesson has no picture.
+std::vector<std::string> headers_to_draw_with(const Workspace& workspace, const Exercise& exercise) {
+    if (exercise.own_picture == OwnPicture::none)
+        throw Error(
+            fmt::format("the picture beside ours is not made by what {} teaches; '{} learn picture {}' "
+                        "draws one that is",
+                        exercise.name, workspace.program, exercise.number));
+    std::error_code none;
+    if (!fs::is_directory(workspace.headers_of(exercise), none))
+        throw Error(fmt::format("{} is not begun: '{} learn test {}' makes the files that you write",
+                                shown(workspace.headers_of(exercise)), workspace.program, exercise.number));
+    std::vector<std::string> texts;
+    for (const std::string& header : exercise.headers) texts.push_back(read_header(workspace, exercise, header));
+    return texts;
+}
+
+/// Where the renderer is that was compiled from all of this, if it was.
+fs::path renderer_of(const Workshop& shop, const Workspace& workspace, const Exercise& exercise,
+                     std::vector<std::string> headers, const std::vector<std::string>& rules) {
+    headers.push_back(state_of_ours(workspace.root));
+    headers.insert(headers.end(), rules.begin(), rules.end());
+    return shop.folder / (exercise.name + "-" + fingerprint(headers));
+}
+
+/// Compiles and links a renderer. Returns why it could not, if it could not.
+std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& shop, const Workspace& workspace,
+                                   const Exercise& exercise, const Compiler& compiler, std::vector<std::string> rules,
+                                   const std::stop_token& stop) {
+    const auto unless_stopped = [&](Outcome outcome) {
+        if (stop.stop_requested()) throw Cancelled{};
+        return outcome;
+    };
+    const fs::path object = shop.folder / fmt::format("new-{}.o", ::getpid());
+    const fs::path program = shop.folder / fmt::format("new-{}", ::getpid());
+    rules.insert(rules.begin(), flags.begin(), flags.end());
+    for (const std::string& flag : beginning_with(compiler, shop.folder / shop.precompiled)) rules.push_back(flag);
+    const Compilation what{workspace.root / "src/learn/picture/renderer.cpp", object, includes(workspace, exercise),
+                           rules, workspace.root};
+
+    const Outcome compiled = unless_stopped(compile(compiler, what, stop));
+    const OwnHeaders own = own_headers(exercise, workspace.headers_of(exercise));
+    std::optional<PictureUpdate> failure =
+        failure_of(compiled, compile_error(compiled, own, workspace.root), "the compiler could not compile it: ");
+    if (!failure) {
+        const Outcome linked = unless_stopped(link(compiler, {object}, program, stop));
+        failure = failure_of(linked, link_error(linked), "the program could not be linked: ");
+    }
+    std::error_code failed;
+    fs::remove(object, failed);
+    if (failure) return failure;
+    remove_all_that_begin_with(exercise.name + "-", shop.folder);
+    fs::rename(program, renderer, failed);
+    check(failed, renderer);
+    return {};
 }
 
 /// Suggests another rule, if the words say that a rule is not written yet.
@@ -170,98 +212,70 @@ std::string about_pixels(const Drawing& drawing) {
                        count(drawing.not_numbers), drawing.first_not_a_number->x, drawing.first_not_a_number->y);
 }
 
+/// Says what is drawn so far.
+PictureUpdate update_of(std::shared_ptr<const Drawing> drawing, const Scene& scene) {
+    const double all = 1.0 * scene.width * scene.height;
+    PictureUpdate so_far =
+        update(Stand::drawing, fmt::format("drawing: {:.0f} %", 100 * static_cast<double>(drawing->drawn) / all));
+    so_far.drawing = std::move(drawing);
+    return so_far;
+}
+
+/// Says how the drawing ended.
 PictureUpdate update_of(const Drawn& drawn) {
-    PictureUpdate update;
-    update.drawing = drawn.drawing;
-    update.said = drawn.outcome.output + drawn.outcome.errors;
-    update.draw_seconds = drawn.outcome.took.count();
-    update.words = what_became_of(drawn);
+    PictureUpdate end = update(Stand::drawn, what_became_of(drawn));
+    end.drawing = drawn.drawing;
+    end.said = drawn.outcome.output + drawn.outcome.errors;
+    end.draw_seconds = drawn.outcome.took.count();
     if (drawn.not_written) {
-        update.stand = Stand::not_written;
-        update.words += hint(update.words);
-        return update;
+        end.stand = Stand::not_written;
+        end.words += hint(end.words);
+        return end;
     }
-    update.stand = update.words.empty() ? Stand::drawn : Stand::failed;
-    update.spot = drawn.spot;
-    const std::string more = about_pixels(*drawn.drawing);
-    if (more.empty()) return update;
+    if (!end.words.empty()) end.stand = Stand::failed;
+    end.spot = drawn.spot;
     const Drawing& drawing = *drawn.drawing;
-    if (update.stand == Stand::drawn)
-        update.spot = drawing.not_numbers > 0 ? drawing.first_not_a_number : drawing.first_undecided;
-    update.words += (update.words.empty() ? "" : "; ") + more;
-    return update;
+    const std::string more = about_pixels(drawing);
+    if (more.empty()) return end;
+    if (end.stand == Stand::drawn)
+        end.spot = drawing.not_numbers > 0 ? drawing.first_not_a_number : drawing.first_undecided;
+    end.words += (end.words.empty() ? "" : "; ") + more;
+    return end;
 }
 
 }  // namespace
 
 void Maker::make(const Workspace& workspace, const Exercise& exercise, const Scene& scene, const Options& options,
                  const std::function<void(PictureUpdate)>& tell, const std::stop_token& stop) {
-    std::error_code none;
-    std::vector<std::string> parts;
+    std::vector<std::string> headers;
     try {
-        if (exercise.own_picture == OwnPicture::none)
-            throw Error(
-                fmt::format("the picture beside ours is not made by what {} teaches; '{} learn picture {}' "
-                            "draws one that is",
-                            exercise.name, workspace.program, exercise.number));
-        if (!fs::is_directory(workspace.headers_of(exercise), none))
-            throw Error(fmt::format("{} is not begun: '{} learn test {}' makes the files that you write",
-                                    shown(workspace.headers_of(exercise)), workspace.program, exercise.number));
-        // A missing header must not be replaced by ours silently.
-        for (const std::string& header : exercise.headers) parts.push_back(read_header(workspace, exercise, header));
+        headers = headers_to_draw_with(workspace, exercise);
     } catch (const Error& error) {
-        PictureUpdate update;
-        update.stand = Stand::not_there;
-        update.words = error.what();
-        return tell(std::move(update));
+        return tell(update(Stand::not_there, error.what()));
     }
     if (!compiler_) compiler_ = find_compiler();
-    parts.push_back(state_of_ours(workspace.root));
-    const std::vector<std::string> rules = rules_of(exercise, options);
-    parts.insert(parts.end(), rules.begin(), rules.end());
 
     const auto start = Clock::now();
-    fs::path program;
     double compile_seconds = 0;
-    {
-        PictureUpdate update;
-        update.words = "compiling " + shown(workspace.headers_of(exercise));
-        const Workshop shop = workshop(workspace, *compiler_, stop);
-        program = shop.folder / (exercise.name + "-" + fingerprint(parts));
-        if (!fs::is_regular_file(program, none)) {
-            tell(update);
-            const Built built = build(workspace, exercise, *compiler_, shop, rules, program, stop);
-            compile_seconds = seconds_since(start);
-            if (built.error || !built.words.empty()) {
-                update.stand = Stand::does_not_compile;
-                update.error = built.error;
-                update.words = built.words;
-                update.compile_seconds = compile_seconds;
-                if (built.error) {
-                    Place place = built.error->place;
-                    place.file = shown(place.file);
-                    update.words =
-                        error_at(place, built.error->message.empty() ? built.error->plain : built.error->message)
-                            .what();
-                }
-                return tell(std::move(update));
-            }
-        }
-    }
-    const auto show = [&](std::shared_ptr<const Drawing> drawing) {
-        PictureUpdate update;
-        update.stand = Stand::drawing;
-        const double all = 1.0 * scene.width * scene.height;
-        update.words = fmt::format("drawing: {:.0f} %", 100 * static_cast<double>(drawing->drawn) / all);
-        update.drawing = std::move(drawing);
+    const auto tell_timed = [&](PictureUpdate update) {
         update.compile_seconds = compile_seconds;
         tell(std::move(update));
     };
-    const Drawn drawn = draw(program, scene, options, show, stop);
+    const std::vector<std::string> rules = rules_of(exercise, options);
+    const Workshop shop = workshop(workspace, *compiler_, stop);
+    const fs::path renderer = renderer_of(shop, workspace, exercise, std::move(headers), rules);
+    std::error_code none;
+    if (!fs::is_regular_file(renderer, none)) {
+        tell(update(Stand::compiling, "compiling " + shown(workspace.headers_of(exercise))));
+        std::optional<PictureUpdate> failure = build(renderer, shop, workspace, exercise, *compiler_, rules, stop);
+        compile_seconds = seconds_since(start);
+        if (failure) return tell_timed(*std::move(failure));
+    }
+
+    const auto show = [&](std::shared_ptr<const Drawing> drawing) { tell_timed(update_of(std::move(drawing), scene)); };
+    const Drawn drawn = draw(renderer, scene, options, show, stop);
     if (stop.stop_requested()) throw Cancelled{};
-    PictureUpdate update = update_of(drawn);
-    update.compile_seconds = compile_seconds;
-    tell(std::move(update));
+    tell_timed(update_of(drawn));
 }
 
 }  // namespace glassbox::learn::mine

@@ -12,8 +12,6 @@ foreach(core ONE OTHER)
   execute_process(COMMAND ${OBJDUMP} -d -r --no-show-raw-insn ${FOLDER}/${core}.o OUTPUT_VARIABLE code
                   COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX REPLACE "^[^\n]*\n?[^\n]*file format[^\n]*\n" "" code_${core} "${code}")  # it names the file
-  # the core's own names may differ, as the copy lies in a namespace of its own
-  string(REGEX REPLACE "_Z[A-Za-z0-9_.]+" "_Z" code_${core} "${code_${core}}")
   file(WRITE ${FOLDER}/${core}.s "${code_${core}}")
   string(REGEX MATCHALL "\n +[0-9a-f]+:[ \t]" lines "${code}")
   list(LENGTH lines count_${core})

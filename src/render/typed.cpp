@@ -1,4 +1,4 @@
-#include "cli/typed.hpp"
+#include "render/typed.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -32,8 +32,8 @@ std::optional<Turn<double>> turn(std::string_view text) {
 
 }  // namespace
 
-CLI::ValidationError wrong(std::string_view option, const std::string& message) {
-    return CLI::ValidationError(std::string(option), message);
+WrongWord wrong(std::string_view option, const std::string& message) {
+    return WrongWord(fmt::format("{}: {}", option, message));
 }
 
 int whole_number(std::string_view option, const std::string& typed, int least, int most) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include "render/measure/measurements.hpp"
 #include "render/parameters.hpp"
+#include "scene/error.hpp"
 #include "scene/named.hpp"
 #include "scene/scene.hpp"
 #include "scene/suggestion.hpp"
@@ -17,10 +17,14 @@ namespace glassbox {
 
 inline constexpr NameTable<bool, 2> switches{{{"on", true, ""}, {"off", false, ""}}};
 
-// Parses the words after an option. Each function throws `wrong` for an invalid word, and says what would be right.
+// Parses the words after an option of the command line, or after a script's command. Each function throws WrongWord for
+// an invalid one, and says what would be right.
 
-/// "--size: 'x' must be …", for the command line's error message.
-CLI::ValidationError wrong(std::string_view option, const std::string& message);
+/// "--size: 'x' must be …": what is wrong with a word that was typed.
+struct WrongWord : Error {
+    using Error::Error;
+};
+WrongWord wrong(std::string_view option, const std::string& message);
 
 /// A whole number from `least` to `most`.
 int whole_number(std::string_view option, const std::string& typed, int least, int most);

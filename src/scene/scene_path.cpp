@@ -1,13 +1,13 @@
-#include "cli/scene_path.hpp"
+#include "scene/scene_path.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "cli/did_you_mean.hpp"
 #include "scene/error.hpp"
 #include "scene/shipped.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 

@@ -1,0 +1,225 @@
+#include "viewer/script/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/hierarchy.hpp"
+#include "output/output_file.hpp"
+#include "render/typed.hpp"
+#include "scene/error.hpp"
+#include "scene/named.hpp"
+#include "scene/scene_path.hpp"
+#include "scene/suggestion.hpp"
+#include "viewer/model/space/camera.hpp"
+#include "viewer/model/state/keys.hpp"
+#include "viewer/model/story/timeline.hpp"
+#include "viewer/model/work/watching.hpp"
+
+namespace glassbox::script {
+
+namespace {
+
+constexpr NameTable<Page, 4> pages{{
+    {"inspector", Page::inspector, ""},
+    {"steps", Page::steps, ""},
+    {"overlay", Page::overlay, ""},
+    {"controls", Page::controls, ""},
+}};
+constexpr NameTable<Beside, 6> besides{{
+    {"nothing", Beside::nothing, ""},
+    {"overlay", Beside::overlay, ""},
+    {"other", Beside::other, ""},
+    {"difference", Beside::difference, ""},
+    {"mine", Beside::mine, ""},
+    {"mine-difference", Beside::mine_difference, ""},
+}};
+constexpr NameTable<StepTo, 6> step_targets{{
+    {"first", StepTo::first, ""},
+    {"back", StepTo::back, ""},
+    {"forward", StepTo::forward, ""},
+    {"last", StepTo::last, ""},
+    {"failed", StepTo::next_failed, ""},
+    {"cancellation", StepTo::next_cancellation, ""},
+}};
+
+/// "X,Y" or "none".
+std::optional<Pixel> pixel_or_none(const std::string& name, const std::string& typed) {
+    if (typed == "none") return {};
+    const Words words = between_commas(typed);
+    if (words.size() != 2) throw wrong(name, fmt::format("'{}' must be X,Y, a pixel, or none", typed));
+    return Pixel{whole_number(name, words[0], 0, max_side), whole_number(name, words[1], 0, max_side)};
+}
+
+/// The same pixel, if it lies on the picture. Throws Error.
+std::optional<Pixel> on_picture(const ViewerState& state, const std::optional<Pixel>& pixel) {
+    const int width = state.scene->width, height = state.scene->height;
+    if (pixel && (pixel->x >= width || pixel->y >= height))
+        throw Error(fmt::format("({},{}) lies beside the picture; x must be from 0 to {} and y from 0 to {}", pixel->x,
+                                pixel->y, width - 1, height - 1));
+    return pixel;
+}
+
+Command overlay(const Words& words) {
+    if (words[1] == "none") return change([](ViewerState& state) { state.overlay.measurement.clear(); });
+    measurement("overlay", words[1]);
+    return change([name = words[1]](ViewerState& state) { state.overlay.measurement = name; });
+}
+
+Command range(const Words& words) {
+    if (words[1] == "auto") return change([](ViewerState& state) { state.overlay.range.reset(); });
+    if (words.size() != 3) throw wrong("range", "must be followed by LOW HIGH, or by auto");
+    const double low = number("range", words[1], -1e300, 1e300), high = number("range", words[2], -1e300, 1e300);
+    if (!(low < high))
+        throw wrong("range", fmt::format("LOW must be less than HIGH, and {} is not less than {}", low, high));
+    return change([low, high](ViewerState& state) { state.overlay.range = {low, high}; });
+}
+
+Command zoom(const Words& words) {
+    if (words[1] == "fit") return change([](ViewerState& state) { state.fit = true; });
+    const double to = number("zoom", words[1], least_zoom, greatest_zoom);
+    const std::optional<Pixel> about = words.size() > 2 ? pixel_or_none("zoom", words[2]) : std::nullopt;
+    return change([to, about](ViewerState& state) {
+        state.fit = false;
+        state.view = zoomed_to(state.view, to, state.area);
+        const std::optional<Pixel> middle = about ? about : state.pinned;
+        if (!middle) return;
+        const Point now = state.view.on_screen({middle->x + .5, middle->y + .5});
+        state.view = moved(state.view, {state.area.x / 2 - now.x, state.area.y / 2 - now.y});
+    });
+}
+
+Command orbit(const Words& words) {
+    const Words typed = between_commas(words[1]);
+    if (typed.size() != 2 && typed.size() != 3)
+        throw wrong("orbit", fmt::format("'{}' must be AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE", words[1]));
+    Orbit to{number("orbit", typed[0], -360, 360), number("orbit", typed[1], -greatest_elevation, greatest_elevation)};
+    if (typed.size() == 3) to.distance = number("orbit", typed[2], least_distance, greatest_distance);
+    return change([to](ViewerState& state) { state.orbit = to; });
+}
+
+Command boxes(const Words& words) {
+    if (words[1] == "off") return change([](ViewerState& state) { state.box_level.reset(); });
+    return change([level = whole_number("boxes", words[1], 0, engine::most_levels)](ViewerState& state) {
+        state.space_shown = true;
+        state.box_level = level;
+    });
+}
+
+Command step(const Words& words) {
+    const auto to = find_named(step_targets, words[1]);
+    const bool forward = words[1].starts_with('+'), relative = forward || words[1].starts_with('-');
+    constexpr int most = 1'000'000'000;
+    const int by = to ? 0 : whole_number("step", forward ? words[1].substr(1) : words[1], relative ? -most : 0, most);
+    return change([to, by, relative](ViewerState& state, const Results& results) {
+        state.page = Page::steps;
+        if (!results.story) throw Error("step: no pixel is pinned; put 'pin X,Y' before");
+        const std::vector<Event>& events = results.timeline;
+        const auto last = std::max<std::int64_t>(static_cast<std::int64_t>(events.size()) - 1, 0);
+        const std::int64_t at = by + (relative ? static_cast<std::int64_t>(state.step) : 0);
+        state.step =
+            to ? stepped(events, state.step, *to) : static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, last));
+    });
+}
+
+Command key(const Words& words) {
+    const std::string label = words.size() > 2 ? words[1] + ' ' + words[2] : words[1];  // "Ctrl +" is two words
+    std::vector<std::string_view> labels;
+    for (const KeyBinding& binding : key_bindings()) {
+        if (label == binding.label) return PressKey{binding.press};
+        labels.push_back(binding.label);
+    }
+    throw wrong("key", fmt::format("'{}' is not known; {}", label, suggestion(label, labels)));
+}
+
+/// A command's name, how many words follow it, and what they mean.
+struct Syntax {
+    std::string_view name, usage;
+    std::size_t least, most;
+    Command (*read)(const Words&);
+};
+
+const Syntax commands[] = {
+    {"open", "open SCENE", 1, 1,
+     [](const Words& w) {
+         return change([file = scene_path(w[1])](ViewerState& state) {
+             open(state, file);
+             if (!state.file_error.empty()) throw Error(state.file_error);
+         });
+     }},
+    {"size", "size WxH", 1, 1,
+     [](const Words& w) -> Command {
+         const auto [width, height] = size("size", w[1]);
+         return ResizeTo{{width, height}};
+     }},
+    {"pin", "pin X,Y | none", 1, 1,
+     [](const Words& w) {
+         return change([at = pixel_or_none("pin", w[1])](ViewerState& state) { pin(state, on_picture(state, at)); });
+     }},
+    {"compare", "compare X,Y | none", 1, 1,
+     [](const Words& w) {
+         return change(
+             [at = pixel_or_none("compare", w[1])](ViewerState& state) { state.compared = on_picture(state, at); });
+     }},
+    {"overlay", "overlay NAME | none", 1, 1, overlay},
+    {"range", "range LOW HIGH | auto", 1, 2, range},
+    {"beside", "beside nothing | overlay | other | difference | mine | mine-difference", 1, 1,
+     [](const Words& w) {
+         return change([what = chosen("beside", w[1], besides)](ViewerState& state) {
+             state.beside = what;
+             if (shows_mine(state)) show_last_mine(state);
+         });
+     }},
+    {"stage", "stage 1..5", 1, 1,
+     [](const Words& w) {
+         return change_setup([to = whole_number("stage", w[1], 1, 5)](Setup& setup) { setup.options.stage = to; });
+     }},
+    {"turn", "turn AXIS:DEGREES,...", 1, 1,
+     [](const Words& w) {
+         return change_setup([by = turns("turn", w[1])](Setup& setup) {
+             for (const Turn<double>& turn : by) setup = turned(std::move(setup), turn.axis, turn.degrees);
+         });
+     }},
+    {"set", "set NAME VALUE", 2, 2, set},
+    {"page", "page inspector | steps | overlay | controls", 1, 1,
+     [](const Words& w) {
+         return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
+     }},
+    {"step", "step N | +N | -N | first | back | forward | last | failed | cancellation", 1, 1, step},
+    {"watch", "watch PIXELS", 1, 1,
+     [](const Words& w) {
+         return change([shown = whole_number("watch", w[1], 0, max_side * max_side)](ViewerState& state) {
+             state.watching.on = true;
+             state.watching.running = false;
+             state.watching.shown = std::min<double>(shown, pixels(state));
+         });
+     }},
+    {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
+    {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
+    {"boxes", "boxes LEVEL | off", 1, 1, boxes},
+    {"key", "key LABEL", 1, 2, key},
+    {"wait", "wait [SECONDS]", 0, 1,
+     [](const Words& w) -> Command { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},
+    {"screenshot", "screenshot FILE.png", 1, 1,
+     [](const Words& w) -> Command {
+         check_picture_file(w[1]);
+         return Screenshot{w[1]};
+     }},
+};
+
+}  // namespace
+
+Command command_of(const Words& words) {
+    std::vector<std::string_view> names;
+    for (const Syntax& command : commands) {
+        names.push_back(command.name);
+        if (words[0] != command.name) continue;
+        const std::size_t after = words.size() - 1;
+        if (after < command.least || after > command.most) throw Error(fmt::format("this must be: {}", command.usage));
+        return command.read(words);
+    }
+    throw Error(fmt::format("'{}' is not a command; {}", words[0], suggestion(words[0], names)));
+}
+
+}  // namespace glassbox::script
