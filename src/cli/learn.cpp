@@ -222,7 +222,7 @@ void picture(LearnRun& lesson) {
     write_picture(lesson.request.picture, *made.image, lesson.stop);
     print(fmt::format("{} is written: {}x{} pixels, the picture of lesson {} {}.\n", lesson.request.picture,
                       made.image->width, made.image->height, exercise.number, whose_headers(lesson.request)));
-    if (!made.said.empty()) tell(made.said);
+    for (const std::string& line : made.said) tell(line);
 }
 
 /// Records the symptoms of each mistake of a lesson, for lesson authors.

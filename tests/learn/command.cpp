@@ -118,10 +118,21 @@ TEST_CASE("the solution can be piped, passes, and makes a picture; that one gave
     CHECK(content(home() / "wrong.png").starts_with("\x89PNG"));
     check_has(picture.out, "wrong.png is written: ");
     check_has(picture.out, "the picture of lesson 2 with the mistake nearest-is-farthest");
-    const Ran none = learn({"picture", "3", "-o", "none.png"});
+    const Ran none = learn({"picture", "6", "-o", "none.png"});
     CHECK(none.status == 1);
     check_has(none.err, "is not written yet");
     CHECK_FALSE(fs::exists(home() / "none.png"));
+}
+
+TEST_CASE("a picture has a part for each step: what is not written yet leaves its parts striped, and is named once") {
+    const Ran picture =
+        run_glassbox({"learn", "picture", "2", "--folder", "begun", "-o", "begun.png"}, {.folder = home().path});
+    CHECK(picture.status == 0);
+    CHECK(content(home() / "begun.png").starts_with("\x89PNG"));
+    const std::string missing = "striped in the picture: `quadratic` is not written yet (";
+    const std::size_t first = picture.err.find(missing);
+    REQUIRE(first != std::string::npos);
+    CHECK(picture.err.find(missing, first + 1) == std::string::npos);  // two parts need it
 }
 
 TEST_CASE("a lesson that is reset stands as one that is not begun") {

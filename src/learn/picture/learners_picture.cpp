@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "learn/build/compile_error.hpp"
 #include "learn/check/test_run.hpp"
@@ -26,6 +27,15 @@ std::string end_of(const Outcome& outcome) {
     std::string words = how_it_ended(outcome);
     if (words.empty() && outcome.last_words.kind != LastWords::finished) words = "it ended before its work was done";
     return words;
+}
+
+/// The lines of a text, each once, in the order in which they first come.
+std::vector<std::string> unlike_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    return lines;
 }
 
 /// Where a lesson's program is made, and from what.
@@ -88,7 +98,7 @@ LessonPicture lesson_picture(const Workspace& workspace, const Exercise& exercis
     if (tools.compiler.isolation) command.isolation = Isolation{{folder}, {command.folder}};
     const Outcome outcome = run(command, stop);
     picture.died = end_of(outcome);
-    picture.said = printable(outcome.errors);
+    picture.said = unlike_lines(printable_lines(outcome.errors));
     if (!picture.died.empty()) {
         check_room(command.folder);
         return picture;

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "learn/build/first_error.hpp"
 #include "learn/build/toolchain.hpp"
@@ -13,7 +15,7 @@ struct LessonPicture {
     std::optional<CompileError> error;  ///< it did not compile
     std::string died;                   ///< how it ended early, in words; "" if it did not
     std::optional<Image> image;
-    std::string said;  ///< what it wrote to its standard error: which functions the picture still lacks
+    std::vector<std::string> said;  ///< the lines that it wrote to its standard error: which functions it still lacks
 };
 
 /// Compiles a lesson's main.cpp with the headers in a folder, and ours for those that are missing; runs it in a
