@@ -70,7 +70,7 @@ struct Inspection {
                        between(v.z - r, v.z + r, m.z, lo[2], hi[2]);
             };
             engine.with_surface(surface, [&]<class Surface>(const Surface& s) {
-                if constexpr (std::is_same_v<Surface, Sphere<double>>) outside += !inside(s.c, s.r);
+                if constexpr (std::is_same_v<Surface, Sphere<double>>) outside += !inside(s.C, s.r);
                 else outside += !inside(s.A, 0) + !inside(s.B, 0) + !inside(s.C, 0);
             });
             if (!spheres) CHECK(engine.blocks()[Child::index(child)].surface[i - leaf.first] == surface);

@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("a normal is the same at every size", Real, float, double, lo
         CHECK(close(normal_at(Ray<Real>{{4 * r, 0, 0}, {-1, 0, 0}}, 3 * r, sphere), {1, 0, 0}));
     }
     const Sphere<Real> far_off{{262144, -1048576, -1048576}, std::ldexp(Real(1), least / 2)};
-    CHECK(close(normal_at(Ray<Real>{far_off.c, {0, 0, -1}}, far_off.r, far_off), {0, 0, -1}));
+    CHECK(close(normal_at(Ray<Real>{far_off.C, {0, 0, -1}}, far_off.r, far_off), {0, 0, -1}));
 }
 
 TEST_CASE("a normal has its digits where t overflows or is subnormal, and far off where doubles tell nothing of it") {

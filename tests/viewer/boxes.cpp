@@ -42,7 +42,7 @@ bool lies_in(const Vec3<double>& least, const Vec3<double>& greatest, const BoxI
 /// The least and greatest corner of a surface.
 std::pair<Vec3<double>, Vec3<double>> extent(const Sphere<double>& s) {
     const Vec3<double> r{s.r, s.r, s.r};
-    return {s.c - r, s.c + r};
+    return {s.C - r, s.C + r};
 }
 std::pair<Vec3<double>, Vec3<double>> extent(const Triangle<double>& t) {
     const auto& [A, B, C] = t;
