@@ -375,7 +375,12 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
                  : "this is not as it should be");
     text += failure_text(workspace, *one, paint);
     std::vector<std::string> others;
-    if (judgement.failed > 1) others.push_back(fmt::format("{} more fail", judgement.failed - 1));
+    std::set<std::string> failed;  // a test that fails in double and float counts once
+    for (const CaseResult& other : run.cases)
+        if (other.failure && other.failure->not_written().empty()) failed.insert(name_and_scalar(other.name).first);
+    failed.erase(name_and_scalar(one->name).first);
+    if (!failed.empty())
+        others.push_back(fmt::format("{} more {}", failed.size(), failed.size() == 1 ? "fails" : "fail"));
     if (judgement.waiting > 0)
         others.push_back(fmt::format("{} {} for a function to be written", judgement.waiting,
                                      judgement.waiting == 1 ? "waits" : "wait"));
