@@ -252,7 +252,8 @@ void mistake(LearnRun& lesson) {
     if (lesson.request.record) return record(lesson, exercise);
     const std::vector<Mistake> mistakes = read_mistakes(exercise);
     if (lesson.request.mistake.empty()) {
-        for (const Mistake& one : mistakes) print(fmt::format("{:<28} {}\n", one.name, one.looks_like));
+        for (const Mistake& one : mistakes)
+            print(fmt::format("{:<28} {}\n", one.name, wrapped(one.looks_like, 29, lesson.paint.width)));
         return;
     }
     const Mistake& chosen = mistake_called(mistakes, lesson.request.mistake, exercise);

@@ -214,7 +214,7 @@ std::string ray_to_look_at(Learner& learner, const Exercise& exercise, const Tes
     std::string command = fmt::format("{} view {} --pixel {},{}{}",
                                       command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
                                       shell_word(shown(learner.failing_scene_file())), tested.pixel->first,
-                                      tested.pixel->second, rule_option(exercise, *tested.judgement.shown));
+                                      tested.pixel->second, rule_option(exercise, *tested.traced_in));
     std::string missing;
     if (exercise.own_picture != OwnPicture::none) {
         command += fmt::format(" --mine={}", exercise.number);
@@ -346,7 +346,9 @@ std::string status_text(Learner& learner, const Paint& paint) {
     if (progress.passed)
         return text + fmt::format("\nAll are passed. To see yours beside ours: {}\n",
                                   command_line(workspace, fmt::format("picture {} -o picture.png", present.number)));
-    text += fmt::format("\nLesson {}, {}: {}\n", present.number, present.title, present.sentence);
+    text += fmt::format(
+        "\n{}\n",
+        wrapped(fmt::format("Lesson {}, {}: {}", present.number, present.title, present.sentence), 0, paint.width));
     text += fmt::format("  read    {}\n", shown(present.lesson / "README.md"));
     if (const Function* next = open_function(present, progress))
         text += fmt::format("  {:<7} {} in {}\n", state_of(*next, progress) == State::failing ? "mend" : "write",
@@ -375,7 +377,12 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
                  : "this is not as it should be");
     text += failure_text(workspace, *one, paint);
     std::vector<std::string> others;
-    if (judgement.failed > 1) others.push_back(fmt::format("{} more fail", judgement.failed - 1));
+    std::set<std::string> failed;  // a test that fails in double and float counts once
+    for (const CaseResult& other : run.cases)
+        if (other.failure && other.failure->not_written().empty()) failed.insert(name_and_scalar(other.name).first);
+    failed.erase(name_and_scalar(one->name).first);
+    if (!failed.empty())
+        others.push_back(fmt::format("{} more {}", failed.size(), failed.size() == 1 ? "fails" : "fail"));
     if (judgement.waiting > 0)
         others.push_back(fmt::format("{} {} for a function to be written", judgement.waiting,
                                      judgement.waiting == 1 ? "waits" : "wait"));
@@ -416,7 +423,8 @@ std::string hint_text(const Workspace& workspace, const Exercise& exercise, cons
     const auto index = static_cast<std::size_t>(std::clamp(tier, 1, hint_tiers) - 1);
     std::string text = fmt::format("{} in {}\n{} (hint {} of {}):\n\n", paint.strong(function.name),
                                    place_of(workspace, exercise, function), kinds[index], tier, hint_tiers);
-    text += indented(function.hints[index], "    ");
+    const bool is_code = index + 1 == hint_tiers;
+    text += indented(is_code ? function.hints[index] : wrapped(function.hints[index], 0, paint.width - 4), "    ");
     text += '\n';
     if (tier < hint_tiers)
         text += fmt::format("The next hint: {}\n", command_line(workspace, fmt::format("hint {}", exercise.number)));

@@ -117,6 +117,7 @@ TEST_CASE("gots are the same where the words are, and the numbers nearly") {
     CHECK_FALSE(same_got("t: 0.5", "t: 0.5 0.5"));
     CHECK(same_got("(1, -2e+20, nan)", "(1, -2.0000001e20, nan)"));
     CHECK_FALSE(same_got("(1, 2, nan)", "(1, 2, inf)"));
+    CHECK_FALSE(same_got("(1, 2, 3)", "(1, 2, inf)"));
     CHECK(same_got("", ""));
 }
 

@@ -229,7 +229,8 @@ std::string about_tests(const Exercise& exercise, const TestRun& run, const Judg
         std::string name = one.name.substr(0, one.name.size() - scalar.size());
         (one.failure ? wrong : right).push_back("“" + std::move(name) + "”");
     }
-    if (right.empty()) return wrong.size() < 2 ? "" : fmt::format("All its {} tests fail.", wrong.size());
+    if (right.empty())
+        return wrong.size() < 2 ? "Its one test fails." : fmt::format("All its {} tests fail.", wrong.size());
     constexpr std::size_t most = 2;
     const auto listed = [&](std::vector<std::string> names) {
         const std::size_t more = names.size() > most ? names.size() - most : 0;

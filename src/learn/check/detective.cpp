@@ -68,7 +68,8 @@ bool explains(const Trace& trace, const CaseResult& one) {
 
 bool close(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)) ||
-           std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b));
+           (std::isfinite(a) && std::isfinite(b) &&
+            std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b)));
 }
 
 }  // namespace

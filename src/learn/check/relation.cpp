@@ -18,7 +18,8 @@ constexpr double as_good_as_equal = 1e-6;
 
 bool close(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)) ||
-           std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b));
+           (std::isfinite(a) && std::isfinite(b) &&
+            std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b)));
 }
 
 double size_of(const std::vector<double>& v) {
@@ -222,7 +223,7 @@ std::string relation_of(const Checks& wrong) {
         if (std::string words = known(wrong); !words.empty()) return words;
     if (wrong.size() > 1 && every(wrong, [&](const CheckMade& one) { return one.got == wrong[0]->got; }))
         return fmt::format("is {}", shown(wrong[0]->got));
-    return too_large_or_small(wrong);
+    return wrong.size() > 1 ? too_large_or_small(wrong) : "";  // of one it is seen
 }
 
 }  // namespace relations

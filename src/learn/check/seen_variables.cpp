@@ -86,6 +86,7 @@ public:
             const std::size_t end = is_check(i) ? end_of_check(i) : 0;
             if (end == 0) continue;
             const std::vector<std::string_view> names = variables_in(i + 2, end - 2);
+            if (names.empty()) continue;
             std::string seen;
             for (const std::string_view name : names)
                 seen += fmt::format("{}::glassbox::test::variable(\"{}\", {})", seen.empty() ? "" : ", ", name, name);

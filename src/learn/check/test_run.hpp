@@ -79,8 +79,8 @@ struct TestRequest {
     std::filesystem::path headers;             ///< the folder that comes first on the include path
     std::filesystem::path folder;              ///< where the program is made; it must exist
     bool at_once = true;                       ///< try several scalars at the same time, to answer soon
-    bool double_first = false;                 ///< try no other scalar where double fails
     std::chrono::milliseconds deadline{5000};  ///< for the tests of a scalar
+    bool double_first = false;                 ///< try no other scalar where double fails
     /// Called with the results so far when all has passed and only the last scalar takes longer.
     std::function<void(const TestRun&)> so_far = {};
 };

@@ -133,7 +133,9 @@ LessonStanding Grader::grade(const Workspace& learner, const Exercise& exercise,
     lesson.cases_passed = lesson.cases - judgement.failed - judgement.waiting;
     if (!run.passed()) {
         lesson.wrong = first_wrong_text(learner, exercise, run, judgement, {});
-        lesson.mistake = recognised(exercise, run, judgement).looks_like;
+        const Recognised said = recognised(exercise, run, judgement);
+        lesson.mistake = said.looks_like;
+        lesson.description = said.description;
     }
     const LessonPicture picture = lesson_picture(learner, exercise, tools_, learner.headers_of(exercise), folder, stop);
     lesson.mine = picture.image;

@@ -163,6 +163,8 @@ std::string section(const LessonStanding& lesson) {
                             lesson.grade == Grade::unfinished ? "What comes next" : "What is wrong first",
                             escaped(lesson.wrong));
     if (!lesson.mistake.empty()) html += fmt::format("<p><b>It looks like this:</b> {}</p>\n", escaped(lesson.mistake));
+    if (!lesson.description.empty())
+        html += fmt::format("<p><b>What the checks show:</b> {}</p>\n", escaped(lesson.description));
     return html + pictures(lesson);
 }
 

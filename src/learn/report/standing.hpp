@@ -31,6 +31,7 @@ struct LessonStanding {
     bool gave_up = false;             ///< the solution was shown before they passed
     std::string wrong = {};           ///< the first thing that is wrong, in lines; "" if nothing is
     std::string mistake = {};         ///< what it looks like, if it is a classic mistake
+    std::string description = {};     ///< else what its checks have in common
     std::optional<Image> mine = {};   ///< the lesson's picture with the learner's headers
     std::optional<Image> ours = {};   ///< and with ours
     std::string no_picture = {};      ///< why there is none

@@ -168,16 +168,17 @@ std::string signs(const Case& one) {
     return all;
 }
 
-/// Tells of the checks that were kept; only where one has failed, as they are many.
+/// Tells of the checks that were kept, of all cases so far that were not told; only where one has failed, as they are
+/// many.
 void tell_checks() {
-    const auto failed = [](const Line& line) { return line.failed > 0; };
-    if (std::none_of(cases.begin(), cases.end(),
-                     [&](const Case& one) { return std::any_of(one.lines.begin(), one.lines.end(), failed); }))
-        return;
-    for (const Case& one : cases)
-        for (const Line& line : one.lines)
+    static std::size_t told = 0;
+    static bool any_failed = false;
+    for (const Line& line : cases.back().lines) any_failed |= line.failed > 0;
+    if (!any_failed) return;
+    for (; told < cases.size(); ++told)
+        for (const Line& line : cases[told].lines)
             for (const Made& made : line.made)
-                tell("check", member("case", in_json(one.name)) + member("line", std::to_string(line.number)) +
+                tell("check", member("case", in_json(cases[told].name)) + member("line", std::to_string(line.number)) +
                                   member("passed", made.passed ? "true" : "false") +
                                   member("condition", made.is_condition ? "true" : "false") +
                                   member("expression", in_json(made.expression)) +
@@ -202,6 +203,7 @@ public:
     void test_case_end(const doctest::CurrentTestCaseStats& end) override {
         tell("end", member("passed", end.failure_flags == 0 ? "true" : "false") +
                         member("checks", in_json(signs(cases.back()))));
+        tell_checks();
     }
     void subcase_start(const doctest::SubcaseSignature& subcase) override {
         subcases_.emplace_back(subcase.m_name.c_str());
@@ -239,7 +241,7 @@ public:
 
     void report_query(const doctest::QueryData&) override {}
     void test_run_start() override {}
-    void test_run_end(const doctest::TestRunStats&) override { tell_checks(); }
+    void test_run_end(const doctest::TestRunStats&) override {}
     void test_case_skipped(const doctest::TestCaseData&) override {}
 
 private:
