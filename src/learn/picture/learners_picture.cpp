@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "learn/build/compile_error.hpp"
 #include "learn/check/test_run.hpp"
