@@ -1,6 +1,4 @@
 #pragma once
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 #include <levental_2014.hpp>
