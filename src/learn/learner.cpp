@@ -1,6 +1,5 @@
 #include "learn/learner.hpp"
 
-
 #include <algorithm>
 #include <span>
 
