@@ -1,7 +1,6 @@
 #include "bench/against_embree.hpp"
 
 #include <embree3/rtcore.h>
-#include <fmt/format.h>
 
 #include <atomic>
 #include <chrono>
@@ -9,6 +8,7 @@
 
 #include "engine/tile.hpp"
 #include "render/parallel.hpp"
+#include "render/pixel.hpp"
 #include "render/view.hpp"
 
 namespace glassbox {
@@ -96,8 +96,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 void EmbreeScene::trace_one_by_one(const Job& job, NearestHits& hits) const {
     const Inside& in = *inside_;
     for_each_pixel(in.width, in.height, job, [&](int x, int y) {
-        const auto pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(in.width) + static_cast<std::size_t>(x);
+        const std::size_t pixel = index_of({x, y}, in.width);
         RTCIntersectContext context = coherent();
         RTCRayHit ray{};
         ray.ray = {in.eye.x,    in.eye.y, in.eye.z, 0,          in.x[pixel], in.y[pixel],
@@ -116,9 +115,7 @@ void EmbreeScene::trace_packets(const Job& job, NearestHits& hits) const {
         alignas(64) int valid[16];
         std::size_t pixels[16];
         for (int k = 0; k < 16; ++k) {
-            const std::size_t pixel =
-                static_cast<std::size_t>(tile_y * 4 + k / 4) * static_cast<std::size_t>(in.width) +
-                static_cast<std::size_t>(tile_x * 4 + k % 4);
+            const std::size_t pixel = index_of({tile_x * 4 + k % 4, tile_y * 4 + k / 4}, in.width);
             pixels[k] = pixel;
             valid[k] = -1;
             rays.ray.org_x[k] = in.eye.x;

@@ -1,11 +1,11 @@
 #include "bench/against_embree.hpp"
+#include "render/pixel.hpp"
 #include "render/search/with_tracer.hpp"
 #include "render/tiles.hpp"
 
 namespace glassbox {
 
-NearestHits::NearestHits(const Scene& scene)
-    : surface(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)), t(surface.size()) {}
+NearestHits::NearestHits(const Scene& scene) : surface(pixel_count(scene.width, scene.height)), t(surface.size()) {}
 
 namespace {
 
@@ -15,10 +15,6 @@ struct Tracing {
     const Scene& scene;
     NearestHits& hits;
 
-    std::size_t pixel(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
-    }
-
     void alone(int x, int y) const {
         const Silent silent;
         const auto hit = search.trace(pixel_ray(view, x, y, scene.height), silent);
@@ -26,8 +22,9 @@ struct Tracing {
     }
 
     void keep(int x, int y, std::uint32_t surface, double t) const {
-        hits.surface[pixel(x, y)] = surface;
-        hits.t[pixel(x, y)] = static_cast<float>(t);
+        const std::size_t pixel = index_of({x, y}, scene.width);
+        hits.surface[pixel] = surface;
+        hits.t[pixel] = static_cast<float>(t);
     }
 };
 

@@ -12,17 +12,11 @@
 #include "render/view.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_path.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 
 namespace {
-
-/// "a, b or c".
-std::string either(const std::vector<std::string>& words) {
-    std::string text = words.front();
-    for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
-    return text;
-}
 
 template <class Value, std::size_t count>
 std::string either(const NameTable<Value, count>& table) {
@@ -33,7 +27,7 @@ std::string either(const NameTable<Value, count>& table) {
             if (const auto* rule = std::get_if<Tolerance>(&value))
                 words.back() += fmt::format("[:{:.1f}]", rule->tolerance);
     }
-    return either(words);
+    return glassbox::either(words);
 }
 
 /// Adds options under one heading of the help page.

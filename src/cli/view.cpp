@@ -85,10 +85,7 @@ void run(const ViewRequest& request) {
     if (!request.script.empty()) commands = script::read(read_lines(request.script), request.script);
     ViewerState state = first_state(request);
     state.scene_menu.folder = shipped_scenes();
-    if (!request.pixel.empty()) {
-        const auto [x, y] = pixel("--pixel", request.pixel, *state.scene);
-        pin(state, Pixel{x, y});
-    }
+    if (!request.pixel.empty()) pin(state, pixel("--pixel", request.pixel, *state.scene));
     if (!request.overlay.empty()) {
         state.overlay.measurement = measurement("--overlay", request.overlay).name;
         state.page = Page::overlay;

@@ -103,26 +103,28 @@ std::optional<int> compared(const True& a, const True& b) {
     return (a.to_long() - b.to_long()).sign();
 }
 
-bool holds(Operation comparison, int order) {
+/// Whether a comparison holds; of Bounded, as far as their bounds tell.
+template <class Number>
+auto holds(Operation comparison, const Number& a, const Number& b) {
     switch (comparison) {
         case Operation::less:
-            return order < 0;
+            return a < b;
         case Operation::greater:
-            return order > 0;
+            return a > b;
         case Operation::less_equal:
-            return order <= 0;
+            return a <= b;
         case Operation::greater_equal:
-            return order >= 0;
+            return a >= b;
         case Operation::equal:
-            return order == 0;
+            return a == b;
         default:
-            return order != 0;
+            return a != b;
     }
 }
 
 MaybeTrue truth_of(Operation comparison, std::optional<int> order) {
     if (!order) return {};
-    return True(Exact(holds(comparison, *order) ? 1.0 : 0.0));
+    return True(Exact(holds(comparison, *order, 0) ? 1.0 : 0.0));
 }
 
 /// The square root of a number of 0 or more.
@@ -203,23 +205,6 @@ Bounded power_within(double value, const Bounded& base, const Bounded& exponent)
     return {value, Bounded::up(static_cast<double>(off)) + Bounded::underflow};
 }
 
-Kleene truth_within(Operation comparison, const Bounded& a, const Bounded& b) {
-    switch (comparison) {
-        case Operation::less:
-            return a < b;
-        case Operation::greater:
-            return a > b;
-        case Operation::less_equal:
-            return a <= b;
-        case Operation::greater_equal:
-            return a >= b;
-        case Operation::equal:
-            return a == b;
-        default:
-            return a != b;
-    }
-}
-
 /// 0 if the bounds prove the recorded answer, else 1.
 double doubt(const Kleene& truth, bool recorded) { return (recorded ? surely(truth) : !possibly(truth)) ? 0.0 : 1.0; }
 
@@ -248,7 +233,7 @@ Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
         case Operation::power:
             return power_within(value, a, b);
         default:
-            return {value, doubt(truth_within(step.operation, a, b), step.value != 0)};
+            return {value, doubt(holds(step.operation, a, b), step.value != 0)};
     }
 }
 

@@ -1,45 +1,50 @@
 #include "explain/words.hpp"
 
+#include "scene/named.hpp"
+
 namespace glassbox {
 
+namespace {
+
+constexpr NameTable<Operation, 17> operations{{
+    {"input", Operation::input, ""},
+    {"constant", Operation::constant, ""},
+    {"round", Operation::round, ""},
+    {"+", Operation::add, ""},
+    {"−", Operation::subtract, ""},
+    {"×", Operation::multiply, ""},
+    {"÷", Operation::divide, ""},
+    {"negate", Operation::negate, ""},
+    {"√", Operation::square_root, ""},
+    {"pow", Operation::power, ""},
+    {"abs", Operation::absolute, ""},
+    {"<", Operation::less, ""},
+    {">", Operation::greater, ""},
+    {"≤", Operation::less_equal, ""},
+    {"≥", Operation::greater_equal, ""},
+    {"=", Operation::equal, ""},
+    {"≠", Operation::not_equal, ""},
+}};
+
+constexpr NameTable<story::Fate, 12> fates{{
+    {"nearest", story::Fate::nearest, ""},
+    {"as near", story::Fate::as_near, ""},
+    {"farther", story::Fate::farther, ""},
+    {"apart", story::Fate::apart, ""},
+    {"touched", story::Fate::touched, ""},
+    {"from inside", story::Fate::from_inside, ""},
+    {"outside", story::Fate::outside, ""},
+    {"edge-on", story::Fate::edge_on, ""},
+    {"behind", story::Fate::behind, ""},
+    {"overflow", story::Fate::overflow, ""},
+    {"beyond tolerance", story::Fate::beyond_tolerance, ""},
+    {"refused", story::Fate::refused, ""},
+}};
+
+}  // namespace
+
 std::string_view word(Operation operation) {
-    switch (operation) {
-        case Operation::input:
-            return "input";
-        case Operation::constant:
-            return "constant";
-        case Operation::round:
-            return "round";
-        case Operation::add:
-            return "+";
-        case Operation::subtract:
-            return "−";
-        case Operation::multiply:
-            return "×";
-        case Operation::divide:
-            return "÷";
-        case Operation::negate:
-            return "negate";
-        case Operation::square_root:
-            return "√";
-        case Operation::power:
-            return "pow";
-        case Operation::absolute:
-            return "abs";
-        case Operation::less:
-            return "<";
-        case Operation::greater:
-            return ">";
-        case Operation::less_equal:
-            return "≤";
-        case Operation::greater_equal:
-            return "≥";
-        case Operation::equal:
-            return "=";
-        case Operation::not_equal:
-            return "≠";
-    }
-    return "";
+    return name_where(operations, [&](Operation one) { return one == operation; });
 }
 
 std::string_view word(Known known) {
@@ -68,34 +73,7 @@ std::string_view word(story::Kind kind) {
 }
 
 std::string_view word(story::Fate fate) {
-    using story::Fate;
-    switch (fate) {
-        case Fate::nearest:
-            return "nearest";
-        case Fate::as_near:
-            return "as near";
-        case Fate::farther:
-            return "farther";
-        case Fate::apart:
-            return "apart";
-        case Fate::touched:
-            return "touched";
-        case Fate::from_inside:
-            return "from inside";
-        case Fate::outside:
-            return "outside";
-        case Fate::edge_on:
-            return "edge-on";
-        case Fate::behind:
-            return "behind";
-        case Fate::overflow:
-            return "overflow";
-        case Fate::beyond_tolerance:
-            return "beyond tolerance";
-        case Fate::refused:
-            return "refused";
-    }
-    return "";
+    return name_where(fates, [&](story::Fate one) { return one == fate; });
 }
 
 std::string_view source(std::string_view file) {

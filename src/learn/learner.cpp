@@ -1,7 +1,5 @@
 #include "learn/learner.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 

@@ -1,9 +1,7 @@
 #include "learn/watch.hpp"
 
-#include <algorithm>
 #include <condition_variable>
 #include <mutex>
-#include <vector>
 
 #include "learn/build/headers.hpp"
 

@@ -1,6 +1,5 @@
 #include "numerics/assumptions.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cfenv>
 #include <cfloat>

@@ -3,7 +3,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <cstdlib>
 
 namespace glassbox {
 

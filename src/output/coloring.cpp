@@ -74,10 +74,7 @@ namespace {
 /// Draws a contour in white with black beside it, visible on any colour: at the values from `level` on that have a
 /// lower one next to them.
 void draw_contour(Image& image, const Channel& channel, double level) {
-    const auto above = [&](int x, int y) {
-        return channel.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(channel.width) +
-                              static_cast<std::size_t>(x)] >= level;
-    };
+    const auto above = [&](int x, int y) { return channel.at({x, y}) >= level; };
     for (int y = 0; y + 1 < channel.height; ++y)
         for (int x = 0; x + 1 < channel.width; ++x) {
             if (above(x, y) == above(x + 1, y) && above(x, y) == above(x, y + 1)) continue;

@@ -50,15 +50,9 @@ void draw_bar(Column& column, const Coloring& coloring, const Summary& summary) 
     }
 }
 
-std::string pixels(std::int64_t count) { return count == 1 ? "1 pixel" : fmt::format("{} pixels", count); }
-
 void add_no_value(Column& column, std::int64_t missing) {
     column.grow(column.size / 3);
     column.swatch(no_value_color, missing == 0 ? "no value" : "no value: " + pixels(missing));
-}
-
-std::string with_unit(const std::string& number, std::string_view unit) {
-    return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
 Column scale_legend(const Measured& measured, int width, int size) {

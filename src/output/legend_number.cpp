@@ -52,6 +52,12 @@ int digits_between(double low, double high) {
     return std::clamp(decimal_exponent(largest) - decimal_exponent(high - low) + 3, 4, 17);
 }
 
+std::string pixels(std::int64_t count) { return count == 1 ? "1 pixel" : fmt::format("{} pixels", count); }
+
+std::string with_unit(const std::string& number, std::string_view unit) {
+    return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
 std::vector<Tick> ticks(double low, double high, int most, bool whole) {
     const double range = high - low;
     if (!(range > 0) || !std::isfinite(range) || most < 1) return {};

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glassbox {
@@ -10,6 +12,12 @@ std::string legend_number(double value, int digits = 4);
 
 /// How many digits tell numbers in [low, high] apart, and at least 4.
 int digits_between(double low, double high);
+
+/// "1 pixel", "5 pixels".
+std::string pixels(std::int64_t count);
+
+/// "3.5 |D|"
+std::string with_unit(const std::string& number, std::string_view unit);
 
 struct Tick {
     double value;

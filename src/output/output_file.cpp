@@ -14,6 +14,7 @@
 #include "output/table.hpp"
 #include "output/whole_file.hpp"
 #include "scene/error.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 namespace {
@@ -23,14 +24,6 @@ using Extensions = std::span<const std::string_view>;
 
 constexpr std::string_view picture_files[] = {".png", ".ppm"};
 constexpr std::string_view measurement_files[] = {".csv", ".png", ".ppm", ".exr"};
-
-/// "a, b or c".
-std::string listed(Extensions names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += fmt::format("{}{}", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
-    return text;
-}
 
 /// The path's extension, one of `known`; the first of them for a device without an extension.
 std::string_view extension_of(const fs::path& path, Extensions known) {
@@ -42,7 +35,7 @@ std::string_view extension_of(const fs::path& path, Extensions known) {
     if (found != known.end()) return *found;
     const std::string what =
         extension.empty() ? "the name has no extension" : "unknown extension " + path.extension().string();
-    throw error_at({path.string()}, fmt::format("{}; use {}", what, listed(known)));
+    throw error_at({path.string()}, fmt::format("{}; use {}", what, either({known.begin(), known.end()})));
 }
 
 std::vector<std::byte> encoded(const Image& image, std::string_view extension) {

@@ -57,7 +57,7 @@ void draw_character(Image& image, const Font& font, char32_t character, float x,
                                         &bottom);
     const int width = right - left, height = bottom - top;
     if (width <= 0 || height <= 0) return;
-    std::vector<unsigned char> coverage(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::vector<unsigned char> coverage(pixel_count(width, height));
     stbtt_MakeCodepointBitmapSubpixel(&font.info, coverage.data(), width, height, width, font.scale, font.scale,
                                       x - whole, 0, code);
 
@@ -65,8 +65,7 @@ void draw_character(Image& image, const Font& font, char32_t character, float x,
     const int corner_y = y + static_cast<int>(font.baseline) + top;
     for (int row = std::max(0, -corner_y); row < std::min(height, image.height - corner_y); ++row)
         for (int column = std::max(0, -corner_x); column < std::min(width, image.width - corner_x); ++column) {
-            const int amount = coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                        static_cast<std::size_t>(column)];
+            const int amount = coverage[index_of({column, row}, width)];
             Rgb& pixel = image.at(corner_x + column, corner_y + row);
             pixel = {mixed(pixel.red, color.red, amount), mixed(pixel.green, color.green, amount),
                      mixed(pixel.blue, color.blue, amount)};

@@ -1,8 +1,9 @@
 #pragma once
-#include <cstddef>
 #include <vector>
 
 #include <rgb.hpp>
+
+#include "render/pixel.hpp"
 
 namespace glassbox {
 
@@ -12,16 +13,10 @@ struct Image {
     int height = 0;
     std::vector<Rgb> pixels;  ///< row by row, from the top
 
-    Image(int w, int h, Rgb fill = {})
-        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+    Image(int w, int h, Rgb fill = {}) : width(w), height(h), pixels(pixel_count(w, h), fill) {}
 
-    Rgb& at(int x, int y) { return pixels[index(x, y)]; }
-    const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
-
-private:
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    }
+    Rgb& at(int x, int y) { return pixels[index_of({x, y}, width)]; }
+    const Rgb& at(int x, int y) const { return pixels[index_of({x, y}, width)]; }
 };
 
 }  // namespace glassbox

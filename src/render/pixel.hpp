@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 
 namespace glassbox {
 
@@ -8,5 +9,15 @@ struct Pixel {
 
     bool operator==(const Pixel&) const = default;
 };
+
+/// How many pixels a picture has.
+constexpr std::size_t pixel_count(int width, int height) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+/// A pixel's place in a list of all, row by row from the top left.
+constexpr std::size_t index_of(Pixel pixel, int width) {
+    return pixel_count(width, pixel.y) + static_cast<std::size_t>(pixel.x);
+}
 
 }  // namespace glassbox

@@ -1,6 +1,4 @@
 #pragma once
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 #include <intersect_sphere.hpp>

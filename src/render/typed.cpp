@@ -120,7 +120,7 @@ Setup with_typed(Setup setup, const Parameter& parameter, std::string_view optio
     return setup;
 }
 
-std::pair<int, int> pixel(std::string_view option, const std::string& typed, const Scene& scene) {
+Pixel pixel(std::string_view option, const std::string& typed, const Scene& scene) {
     const std::vector<std::string> words = between_commas(typed);
     if (words.size() != 2)
         throw wrong(option,

@@ -8,6 +8,7 @@
 
 #include "render/measure/measurements.hpp"
 #include "render/parameters.hpp"
+#include "render/pixel.hpp"
 #include "scene/error.hpp"
 #include "scene/named.hpp"
 #include "scene/scene.hpp"
@@ -51,7 +52,7 @@ TriangleRule triangle_rule(std::string_view option, const std::string& typed);
 Setup with_typed(Setup setup, const Parameter& parameter, std::string_view option, const std::string& typed);
 
 /// "X,Y", a pixel of the scene's picture.
-std::pair<int, int> pixel(std::string_view option, const std::string& typed, const Scene& scene);
+Pixel pixel(std::string_view option, const std::string& typed, const Scene& scene);
 
 /// The measurement of that name.
 const Measurement& measurement(std::string_view option, const std::string& typed);

@@ -41,6 +41,12 @@ std::string did_you_mean(std::string_view unknown, const std::vector<std::string
     return did_you_mean(unknown, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
+std::string either(const std::vector<std::string>& words) {
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+    return text;
+}
+
 std::string suggestion(std::string_view unknown, std::span<const std::string_view> known) {
     std::string near = did_you_mean(unknown, known);
     if (!near.empty()) return near;

@@ -17,4 +17,7 @@ std::string suggestion(std::string_view unknown, std::span<const std::string_vie
 std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known);
 std::string did_you_mean(std::string_view unknown, const std::vector<std::string>& known);
 
+/// "a, b or c", of at least one word.
+std::string either(const std::vector<std::string>& words);
+
 }  // namespace glassbox

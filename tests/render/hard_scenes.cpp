@@ -17,7 +17,7 @@ constexpr Rgb green{0, 255, 0}, red{255, 0, 0}, blue{0, 0, 255};
 double measured(const Scene& scene, const Options& options, const char* what, int x = 0, int y = 0) {
     const Measurement* const wanted[] = {find_measurement(what)};
     const std::vector<std::vector<Channel>> channels = measure(scene, options, wanted, {});
-    return channels[0][0].values[static_cast<std::size_t>(y * scene.width + x)];
+    return channels[0][0].at({x, y});
 }
 
 }  // namespace

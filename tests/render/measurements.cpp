@@ -352,7 +352,7 @@ TEST_CASE("every measurement has a name, an explanation and its channels' names"
     for (const Measurement& each : measurements()) {
         CHECK(find_measurement(each.name) == &each);
         CHECK_FALSE(each.explanation.empty());
-        CHECK((each.channels.size() == 1 || each.channels.size() == 3));
+        CHECK((each.channels().size() == 1 || each.channels().size() == 3));
     }
     CHECK(find_measurement("dept") == nullptr);
 }

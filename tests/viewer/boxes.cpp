@@ -288,7 +288,7 @@ TEST_CASE("the nodes opened are those that `measure --what nodes` counts") {
             const RayInBoxes ray = ray_in_boxes(levels.engine, pixel_ray(view(scene, options), x, y, scene.height));
             const auto opened = std::count_if(ray.opened.begin(), ray.opened.end(),
                                               [](std::uint32_t code) { return !Child::is_leaf(code); });
-            CHECK(static_cast<double>(opened) == plane.values[static_cast<std::size_t>(y * scene.width + x)]);
+            CHECK(static_cast<double>(opened) == plane.at({x, y}));
             most = std::max(most, static_cast<double>(opened));
         }
     CHECK(most > 3);

@@ -109,8 +109,7 @@ Drawing read(const SheetPixel* pixels, const Scene& scene) {
         for (int y = 0; y < scene.height; ++y)
             for (int x = 0; x < scene.width; ++x) {
                 const auto state = [&](int at_x, int at_y) {
-                    return drawing.states[static_cast<std::size_t>(at_y) * static_cast<std::size_t>(scene.width) +
-                                          static_cast<std::size_t>(at_x)];
+                    return drawing.states[index_of({at_x, at_y}, scene.width)];
                 };
                 for (int apart = 1; apart <= coarsest; apart *= 2) {
                     const int of_x = x - x % apart, of_y = y - y % apart;
@@ -142,9 +141,8 @@ std::string where(const Drawn& drawn) {
 
 Drawn draw(const std::filesystem::path& renderer, const Scene& scene, const Options& options,
            const std::function<void(std::shared_ptr<const Drawing>)>& show, const std::stop_token& stop) {
-    const std::size_t bytes =
-        sheet_bytes(options.turns.size(), scene.spheres.size(), triangles_of(scene),
-                    static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
+    const std::size_t bytes = sheet_bytes(options.turns.size(), scene.spheres.size(), triangles_of(scene),
+                                          pixel_count(scene.width, scene.height));
     const SharedMemory memory(bytes);
     auto& sheet = *new (memory.data()) Sheet{};
     write(scene, options, sheet);

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "learn/build/compile_error.hpp"
 #include "learn/build/headers.hpp"
@@ -194,10 +193,12 @@ std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& sho
 
 /// Suggests another rule, if the words say that a rule is not written yet.
 std::string hint(std::string_view words) {
-    for (const char* rule : {"Stable", "Textbook", "Pluecker", "Tolerance", "MoellerTrumbore"})
-        if (words.starts_with(fmt::format("`{}`", rule)))
-            return "; until it is, another rule can be chosen in the controls";
-    return "";
+    const auto names_one_of = [&](const auto& rules) {
+        return std::ranges::any_of(
+            rules, [&](const auto& rule) { return words.starts_with(fmt::format("`{}`", struct_of(rule.value))); });
+    };
+    const bool is_rule = names_one_of(sphere_rules) || names_one_of(triangle_rules);
+    return is_rule ? "; until it is, another rule can be chosen in the controls" : "";
 }
 
 std::string count(std::int64_t pixels) { return pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", pixels); }

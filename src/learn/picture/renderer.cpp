@@ -146,7 +146,7 @@ void draw(Sheet& sheet, const SphereRoots& roots, const TriangleTest& test) {
         const Ray<double> ray = pixel_ray(seen, x, y, sheet.height);
         const Rgb made = tracer.color(ray, x, sheet.height - 1 - y, probe);
         probe.hear(ray.P), probe.hear(ray.D);
-        pixels[index_of(sheet, x, y)] = {made.red, made.green, made.blue, probe.state()};
+        pixels[index_of({x, y}, sheet.width)] = {made.red, made.green, made.blue, probe.state()};
         sheet.pixels_done.fetch_add(1, std::memory_order_release);
     });
     at(Stage::done);

@@ -90,11 +90,6 @@ inline SheetLists lists_of(Sheet& sheet) {
     return lists;
 }
 
-/// Which pixel of the list that is.
-inline std::size_t index_of(const Sheet& sheet, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) + static_cast<std::size_t>(x);
-}
-
 /// The pixels that are drawn first lie so far apart.
 inline constexpr int coarsest = 16;
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "render/pixel.hpp"
+
 namespace glassbox {
 
 /// The value where there is nothing to measure, such as at a pixel whose ray meets no surface.
@@ -15,6 +17,8 @@ struct Channel {
     int height = 0;
     std::vector<double> values;
     std::string why_no_value = {};  ///< for all pixels: "no ray meets a surface"; empty if any has a value
+
+    double at(Pixel pixel) const { return values[index_of(pixel, width)]; }
 };
 
 }  // namespace glassbox

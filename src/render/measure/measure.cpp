@@ -13,9 +13,9 @@ namespace glassbox {
 namespace {
 
 std::vector<Channel> empty_channels(const Measurement& measurement, int width, int height) {
-    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::size_t pixels = pixel_count(width, height);
     std::vector<Channel> channels;
-    for (const std::string_view name : measurement.channels)
+    for (const std::string_view name : measurement.channels())
         channels.push_back({std::string(name), width, height, std::vector<double>(pixels, no_value)});
     return channels;
 }
@@ -86,8 +86,7 @@ std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options option
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
         if (count_hits) numbers.hits = reference->hits(ray);
         if (needs.truth) reference->compare(ray, options.scalar, numbers);
-        const std::size_t pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(x);
+        const std::size_t pixel = index_of({x, y}, scene.width);
         for (std::size_t m = 0; m < wanted.size(); ++m) {
             reasons[m].consider(
                 why_no_value(*wanted[m], numbers, {options, scene.shading.model, by_engine, is_valid(ray)}));

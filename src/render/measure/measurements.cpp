@@ -11,17 +11,7 @@ namespace {
 using P = PixelNumbers;
 using T = TriangleNumbers;
 
-constexpr std::string_view scalar_names[] = {"tests",  "hits",         "depth",     "n.l",      "n.h",
-                                             "n.v",    "ambient",      "diffuse",   "specular", "side",
-                                             "margin", "discriminant", "undecided", "verdict",  "deficit",
-                                             "drift",  "bits-lost",    "identity",  "nodes",    "boxes-missed"};
 constexpr std::string_view normal_names[] = {"normal.x", "normal.y", "normal.z"};
-
-/// A measurement of one component gives its only channel its own name. `name` must be in scalar_names.
-constexpr std::span<const std::string_view> plane_of(std::string_view name) {
-    const auto* const found = std::find(std::begin(scalar_names), std::end(scalar_names), name);
-    return {found, 1};
-}
 
 template <double P::*member>
 std::array<double, 3> read(const P& numbers) {
@@ -35,7 +25,7 @@ std::array<double, 3> read(const P& numbers) {
 
 constexpr Measurement number(std::string_view name, std::string_view unit, std::string_view explanation, Scale scale,
                              Source source, std::array<double, 3> (*its_read)(const P&)) {
-    return {name, unit, explanation, scale, source, {}, plane_of(name), its_read, {}, {}};
+    return {name, unit, explanation, scale, source, {}, {}, its_read, {}, {}};
 }
 
 constexpr Measurement between(double low, double high, Measurement measurement) {

@@ -46,10 +46,13 @@ struct Measurement {
     Scale scale;
     Source source;
     std::optional<std::pair<double, double>> range;      ///< fixed range of its colours; else that of its values
-    std::span<const std::string_view> channels;          ///< the names of its components: itself, or x, y and z
+    std::span<const std::string_view> components;        ///< the names of x, y and z; empty for a single number
     std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has channels
     Needs needs = {};
     std::optional<double> contour = {};  ///< a value whose contour is drawn
+
+    /// The names of its channels: that of a single number is its own.
+    std::span<const std::string_view> channels() const { return components.empty() ? std::span(&name, 1) : components; }
 };
 
 /// All measurements, in the order in which they are listed.

@@ -1,6 +1,7 @@
 #include "viewer/platform/fed_input.hpp"
 
 #include <cfloat>
+#include <utility>
 
 namespace glassbox {
 namespace {
@@ -8,54 +9,24 @@ namespace {
 constexpr auto no_key = ImGuiKey{};
 
 // Only the letters that text fields use with Ctrl: undo, redo, cut, copy, paste, select all.
-ImGuiKey letter_key(char32_t letter) {
-    switch (letter) {
-        case 'a':
-            return ImGuiKey_A;
-        case 'c':
-            return ImGuiKey_C;
-        case 'v':
-            return ImGuiKey_V;
-        case 'x':
-            return ImGuiKey_X;
-        case 'y':
-            return ImGuiKey_Y;
-        case 'z':
-            return ImGuiKey_Z;
-        default:
-            return no_key;
-    }
-}
+constexpr std::pair<char32_t, ImGuiKey> letter_keys[] = {{U'a', ImGuiKey_A}, {U'c', ImGuiKey_C}, {U'v', ImGuiKey_V},
+                                                         {U'x', ImGuiKey_X}, {U'y', ImGuiKey_Y}, {U'z', ImGuiKey_Z}};
+constexpr std::pair<Key, ImGuiKey> named_keys[] = {
+    {Key::left, ImGuiKey_LeftArrow}, {Key::right, ImGuiKey_RightArrow},   {Key::up, ImGuiKey_UpArrow},
+    {Key::down, ImGuiKey_DownArrow}, {Key::escape, ImGuiKey_Escape},      {Key::enter, ImGuiKey_Enter},
+    {Key::space, ImGuiKey_Space},    {Key::home, ImGuiKey_Home},          {Key::end, ImGuiKey_End},
+    {Key::page_up, ImGuiKey_PageUp}, {Key::page_down, ImGuiKey_PageDown},
+};
 
 /// Returns Dear ImGui's name of a key; none if it needs only the character that the key types.
 ImGuiKey gui_key(const KeyPress& press) {
-    switch (press.key) {
-        case Key::character:
-            return press.control ? letter_key(press.character) : no_key;
-        case Key::left:
-            return ImGuiKey_LeftArrow;
-        case Key::right:
-            return ImGuiKey_RightArrow;
-        case Key::up:
-            return ImGuiKey_UpArrow;
-        case Key::down:
-            return ImGuiKey_DownArrow;
-        case Key::escape:
-            return ImGuiKey_Escape;
-        case Key::enter:
-            return ImGuiKey_Enter;
-        case Key::space:
-            return ImGuiKey_Space;
-        case Key::home:
-            return ImGuiKey_Home;
-        case Key::end:
-            return ImGuiKey_End;
-        case Key::page_up:
-            return ImGuiKey_PageUp;
-        case Key::page_down:
-            return ImGuiKey_PageDown;
-    }
-    return no_key;
+    const auto named = [](const auto& keys, auto wanted) {
+        for (const auto& [ours, theirs] : keys)
+            if (ours == wanted) return theirs;
+        return no_key;
+    };
+    if (press.key != Key::character) return named(named_keys, press.key);
+    return named(letter_keys, press.control ? press.character : U'\0');
 }
 
 unsigned typed_character(const KeyPress& press) {

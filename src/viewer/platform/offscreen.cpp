@@ -142,7 +142,7 @@ double Offscreen::frame(const DrawFrame& draw, const Pointer& pointer, std::span
 Image Offscreen::screenshot() const {
     platform_->make_current();
     const auto [width, height] = platform_->size;
-    std::vector<Rgb> upwards(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::vector<Rgb> upwards(pixel_count(width, height));
     static_assert(sizeof(Rgb) == 3);
     glBindFramebuffer(GL_FRAMEBUFFER, platform_->framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -47,7 +47,7 @@ Texture::~Texture() {
 }
 
 void Texture::fill(int width, int height, std::span<const Rgba> pixels) {
-    assert(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    assert(pixels.size() == pixel_count(width, height));
     check_size(width, height);
     if (name_ == 0) name_ = make_texture();
     glBindTexture(GL_TEXTURE_2D, name_);

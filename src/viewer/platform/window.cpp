@@ -72,35 +72,18 @@ struct GuiInput {
     GuiInput& operator=(const GuiInput&) = delete;
 };
 
-/// Returns our name of a key that types nothing, or of the space bar.
+/// Our names of the keys that type nothing, and of the space bar.
+constexpr std::pair<int, Key> named_keys[] = {
+    {GLFW_KEY_LEFT, Key::left},      {GLFW_KEY_RIGHT, Key::right},     {GLFW_KEY_UP, Key::up},
+    {GLFW_KEY_DOWN, Key::down},      {GLFW_KEY_ESCAPE, Key::escape},   {GLFW_KEY_ENTER, Key::enter},
+    {GLFW_KEY_KP_ENTER, Key::enter}, {GLFW_KEY_SPACE, Key::space},     {GLFW_KEY_HOME, Key::home},
+    {GLFW_KEY_END, Key::end},        {GLFW_KEY_PAGE_UP, Key::page_up}, {GLFW_KEY_PAGE_DOWN, Key::page_down},
+};
+
 std::optional<Key> named_key(int key) {
-    switch (key) {
-        case GLFW_KEY_LEFT:
-            return Key::left;
-        case GLFW_KEY_RIGHT:
-            return Key::right;
-        case GLFW_KEY_UP:
-            return Key::up;
-        case GLFW_KEY_DOWN:
-            return Key::down;
-        case GLFW_KEY_ESCAPE:
-            return Key::escape;
-        case GLFW_KEY_ENTER:
-        case GLFW_KEY_KP_ENTER:
-            return Key::enter;
-        case GLFW_KEY_SPACE:
-            return Key::space;
-        case GLFW_KEY_HOME:
-            return Key::home;
-        case GLFW_KEY_END:
-            return Key::end;
-        case GLFW_KEY_PAGE_UP:
-            return Key::page_up;
-        case GLFW_KEY_PAGE_DOWN:
-            return Key::page_down;
-        default:
-            return std::nullopt;
-    }
+    for (const auto& [theirs, ours] : named_keys)
+        if (theirs == key) return ours;
+    return std::nullopt;
 }
 
 char32_t in_lower_case(char32_t c) { return c >= U'A' && c <= U'Z' ? c + (U'a' - U'A') : c; }

@@ -1,5 +1,4 @@
 #include <sstream>
-#include <utility>
 
 #include "scene/error.hpp"
 #include "viewer/script/commands.hpp"

@@ -1,5 +1,4 @@
 #pragma once
-#include <span>
 
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/space/space.hpp"

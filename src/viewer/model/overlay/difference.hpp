@@ -2,7 +2,6 @@
 #include <cstdint>
 
 #include "render/image.hpp"
-#include "viewer/model/state/picture_view.hpp"
 
 namespace glassbox {
 

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include <probe.hpp>
 #include <reflection.hpp>
 
-#include "explain/explain.hpp"
 #include "explain/words.hpp"
 #include "output/legend_number.hpp"
 #include "render/view.hpp"

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string>
 
+#include "render/pixel.hpp"
 #include "render/setup.hpp"
-#include "viewer/model/state/picture_view.hpp"
 
 namespace glassbox {
 

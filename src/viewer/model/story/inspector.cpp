@@ -7,7 +7,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 #include "explain/phrases.hpp"
@@ -51,12 +50,7 @@ Numbers counts(const std::string& path, std::initializer_list<double> values) {
 Numbers plains(const std::string& path, const Vec3<double>& v) { return plains(path, {v.x, v.y, v.z}); }
 
 InspectorRow row(std::string label, Numbers numbers, std::string note = {}) {
-    return {.label = std::move(label),
-            .numbers = std::move(numbers),
-            .note = std::move(note),
-            .passed = {},
-            .color = {},
-            .with_bar = false};
+    return {std::move(label), std::move(numbers), std::move(note)};
 }
 
 InspectorRow row(std::string label, const std::string& path, const Number& number, std::string note = {}) {
@@ -83,18 +77,7 @@ InspectorRow barred(std::string label, const std::string& path, const Number& nu
     return result;
 }
 
-InspectorPart part(std::string title, std::string note = {}) {
-    return {.title = std::move(title),
-            .note = std::move(note),
-            .passed = {},
-            .number = {},
-            .color = {},
-            .open = true,
-            .drawing = Diagram::none,
-            .surface = {},
-            .rows = {},
-            .parts = {}};
-}
+InspectorPart part(std::string title, std::string note = {}) { return {std::move(title), std::move(note)}; }
 
 InspectorPart pixel_part(const Story& story) {
     InspectorPart pixel = part("The pixel");

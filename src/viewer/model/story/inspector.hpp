@@ -23,9 +23,9 @@ struct InspectorRow {
     std::string label;  ///< no two rows of a part have the same
     std::vector<InspectedNumber> numbers;
     std::string note;
-    std::optional<bool> passed;  ///< of a test
-    std::optional<Rgb> color;    ///< what the numbers are
-    bool with_bar = false;       ///< drawn with its error bar
+    std::optional<bool> passed = {};  ///< of a test
+    std::optional<Rgb> color = {};    ///< what the numbers are
+    bool with_bar = false;            ///< drawn with its error bar
 };
 
 /// What is drawn above a part's rows.
@@ -41,16 +41,16 @@ enum class Diagram {
 
 /// A part of the inspector with a heading, which can be collapsed.
 struct InspectorPart {
-    std::string title;                      ///< no two parts at one place have the same
-    std::string note;                       ///< beside the title, in words
-    std::optional<bool> passed;             ///< of a test
-    std::optional<InspectedNumber> number;  ///< that the title names
-    std::optional<Rgb> color;
+    std::string title;                           ///< no two parts at one place have the same
+    std::string note;                            ///< beside the title, in words
+    std::optional<bool> passed = {};             ///< of a test
+    std::optional<InspectedNumber> number = {};  ///< that the title names
+    std::optional<Rgb> color = {};
     bool open = true;  ///< at first
     Diagram drawing = Diagram::none;
-    std::optional<std::size_t> surface;  ///< which of story.surfaces is drawn
-    std::vector<InspectorRow> rows;
-    std::vector<InspectorPart> parts;
+    std::optional<std::size_t> surface = {};  ///< which of story.surfaces is drawn
+    std::vector<InspectorRow> rows = {};
+    std::vector<InspectorPart> parts = {};
 };
 
 /// All that the inspector shows, in the order of `glassbox explain`.

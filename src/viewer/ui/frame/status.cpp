@@ -21,11 +21,7 @@ std::string hovered_text(const Frame& frame) {
     if (overlay && overlay->factor == 1)
         for (const Channel& channel : overlay->channels)
             if (channel.width == scene.width && channel.height == scene.height)
-                text +=
-                    fmt::format("   {} = {:.6g} {}", channel.name,
-                                channel.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(channel.width) +
-                                               static_cast<std::size_t>(x)],
-                                overlay->what->unit);
+                text += fmt::format("   {} = {:.6g} {}", channel.name, channel.at({x, y}), overlay->what->unit);
     return text;
 }
 

@@ -1,7 +1,6 @@
 #include "viewer/ui/inspector/rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "viewer/ui/inspector/drawings.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"

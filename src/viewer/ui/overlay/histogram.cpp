@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -125,8 +124,7 @@ std::optional<double> value_at(const Frame& frame, int axis, const std::optional
     const MeasuredChannels& measured = *frame.results.overlay;
     const Channel& channel = measured.channels[static_cast<std::size_t>(std::max(axis, 0))];
     if (!pixel || measured.factor > 1 || pixel->x >= channel.width || pixel->y >= channel.height) return {};
-    return channel.values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(channel.width) +
-                          static_cast<std::size_t>(pixel->x)];
+    return channel.at(*pixel);
 }
 
 float x_of(const Plot& plot, double value) {

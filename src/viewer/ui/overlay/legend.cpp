@@ -144,12 +144,6 @@ void swatch(Rgb color, const std::string& text) {
     ImGui::TextWrapped("%s", text.c_str());
 }
 
-std::string pixels(std::int64_t count) { return count == 1 ? "1 pixel" : fmt::format("{} pixels", count); }
-
-std::string with_unit(const std::string& number, std::string_view unit) {
-    return unit.empty() ? number : fmt::format("{} {}", number, unit);
-}
-
 void faint(const Frame& frame, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.faint_text);
     ImGui::PushTextWrapPos(0);

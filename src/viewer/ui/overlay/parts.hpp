@@ -19,12 +19,6 @@ void draw_beside(const Frame& frame);
 /// A square of that colour, and what it stands for.
 void swatch(Rgb color, const std::string& text);
 
-/// "12 pixels", "1 pixel".
-std::string pixels(std::int64_t count);
-
-/// "3.5 |D|"
-std::string with_unit(const std::string& number, std::string_view unit);
-
 /// Text in a faint colour, wrapped.
 void faint(const Frame& frame, std::string_view text);
 

@@ -88,13 +88,10 @@ void draw_grid(const Canvas& canvas) {
 /// The lines of text in a pixel: its red, green and blue, or what is measured there.
 std::vector<std::string> numbers_in(const Canvas& canvas, int x, int y, bool overlaid) {
     const Results& results = canvas.frame.results;
-    const auto index = [&](int width) {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    };
     std::vector<std::string> lines;
     if (overlaid) {
         for (const Channel& plane : results.overlay->channels) {
-            const double value = plane.values[index(plane.width)];
+            const double value = plane.at({x, y});
             lines.push_back(std::isnan(value) ? "–" : legend_number(value));
         }
         return lines;

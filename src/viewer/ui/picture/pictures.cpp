@@ -35,11 +35,9 @@ void fill(Texture& texture, const learn::mine::Drawing& drawing) {
 /// The rest is blank.
 std::vector<Rgba> watched(const Image& image, std::size_t shown) {
     std::vector<Rgba> pixels(image.pixels.size(), Rgba{0, 0, 0, 0});
-    const auto width = static_cast<std::size_t>(image.width);
     for (std::size_t k = 0; k < std::min(shown, pixels.size()); ++k) {
         const auto [column, row] = loop_place(k, image.height);
-        const std::size_t pixel =
-            static_cast<std::size_t>(image.height - 1 - row) * width + static_cast<std::size_t>(column);
+        const std::size_t pixel = index_of({column, image.height - 1 - row}, image.width);
         const Rgb c = image.pixels[pixel];
         pixels[pixel] = {c.red, c.green, c.blue, 255};
     }
