@@ -139,7 +139,7 @@ TEST_CASE("whatever the size and the values, nothing reaches the edge") {
             CAPTURE(triple[2]);
             const std::vector<Channel> same(3, plane);
             for (const Measurement* what : {&sequential, &sequential_fixed, &diverging, &direction}) {
-                const Measured measured{what, std::span(same).first(what->channels.size())};
+                const Measured measured{what, std::span(same).first(what->channels().size())};
                 CHECK(has_margin(heat_map({&measured, 1})));
             }
         }
