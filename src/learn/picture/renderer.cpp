@@ -16,6 +16,7 @@
 #ifdef GLASSBOX_BOUNDED  // lesson 6, whose headers are of no use to plain double
 #include "learn/picture/bounded_search.hpp"
 #endif
+#include "render/pixel.hpp"
 #include "render/search/plain_search.hpp"
 #include "render/tracer.hpp"
 #include "render/view.cpp"  // compiled anew, too: a learner's turn.hpp and viewing_plane.hpp count there
