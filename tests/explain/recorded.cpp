@@ -114,7 +114,7 @@ TEST_CASE("the core's formulas, run on tape: every operation is in a file of the
     const Crossing<Recorded<double>> crossing = intersect(ray, sphere, Textbook{}, silent);
     CHECK(crossing.t.value() == 350);
     const std::string_view file = tape[crossing.t.step()].file;
-    CHECK(file.ends_with("core/2-spheres/sphere.hpp"));
+    CHECK(file.ends_with("core/2-spheres/quadratic.hpp"));
     for (const Step& step : tape.steps()) {
         if (operands(step.operation) == 0) continue;
         CHECK(std::string_view(step.file).find("src/core/") != std::string_view::npos);

@@ -261,16 +261,20 @@ TEST_CASE("numbers that are none are counted, and their pixels known") {
     Learner learner;
     const Exercise& spheres = learner.exercise(2);
     learner.solve(spheres);
-    // 0/0 in every t. Comparisons with NaN are false: everything is missed.
-    learner.mistake(spheres, "crossing.hpp", "return choose(t0 > Real(0), t0, t1);", "return (t1 - t1) / (t0 - t0);");
+    // 0/0 in every root. Comparisons with NaN are false: everything is missed.
+    learner.mistake(spheres, "quadratic.hpp",
+                    "return {(-b - root_of_discriminant) / a, (-b + root_of_discriminant) / a};",
+                    "const Real none = (b - b) / (a - a);\n    return {none, none};");
+    Options textbook = in_double(2);
+    textbook.sphere_rule = Textbook{};
     const Scene scene = paper();
-    const PictureUpdate update = learner.draw(spheres, scene, in_double(2));
+    const PictureUpdate update = learner.draw(spheres, scene, textbook);
     CHECK(update.stand == Stand::drawn);
     // The pixels whose rays meet a sphere's line: with the solution, those that are not background. From the top left
     // the first is the top of the green sphere: centre row 350, radius 50, so row 400, y = 99, at column 350.
     Scene plain = scene;
     plain.border.reset();
-    const Image ours = render(plain, in_double(2));
+    const Image ours = render(plain, textbook);
     const auto hit =
         std::count_if(ours.pixels.begin(), ours.pixels.end(), [&](Rgb c) { return c != scene.background; });
     CHECK(update.drawing->not_numbers == hit);

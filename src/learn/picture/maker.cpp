@@ -191,14 +191,12 @@ std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& sho
     return {};
 }
 
-/// Suggests another rule, if the words say that a rule is not written yet.
-std::string hint(std::string_view words) {
-    const auto names_one_of = [&](const auto& rules) {
-        return std::ranges::any_of(
-            rules, [&](const auto& rule) { return words.starts_with(fmt::format("`{}`", struct_of(rule.value))); });
-    };
-    const bool is_rule = names_one_of(sphere_rules) || names_one_of(triangle_rules);
-    return is_rule ? "; until it is, another rule can be chosen in the controls" : "";
+/// Suggests another rule, if the words say that a function of one rule only is not written yet.
+std::string hint(std::string_view words, const Exercise& exercise) {
+    const bool is_of_a_rule = std::any_of(exercise.functions.begin(), exercise.functions.end(), [&](const Function& f) {
+        return !f.rule.empty() && words.starts_with(fmt::format("`{}`", f.name));
+    });
+    return is_of_a_rule ? "; until it is, another rule can be chosen in the controls" : "";
 }
 
 std::string count(std::int64_t pixels) { return pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", pixels); }
@@ -223,14 +221,14 @@ PictureUpdate update_of(std::shared_ptr<const Drawing> drawing, const Scene& sce
 }
 
 /// Says how the drawing ended.
-PictureUpdate update_of(const Drawn& drawn) {
+PictureUpdate update_of(const Drawn& drawn, const Exercise& exercise) {
     PictureUpdate end = update(Stand::drawn, what_became_of(drawn));
     end.drawing = drawn.drawing;
     end.said = drawn.outcome.output + drawn.outcome.errors;
     end.draw_seconds = drawn.outcome.took.count();
     if (drawn.not_written) {
         end.stand = Stand::not_written;
-        end.words += hint(end.words);
+        end.words += hint(end.words, exercise);
         return end;
     }
     if (!end.words.empty()) end.stand = Stand::failed;
@@ -276,7 +274,7 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     const auto show = [&](std::shared_ptr<const Drawing> drawing) { tell_timed(update_of(std::move(drawing), scene)); };
     const Drawn drawn = draw(renderer, scene, options, show, stop);
     if (stop.stop_requested()) throw Cancelled{};
-    tell_timed(update_of(drawn));
+    tell_timed(update_of(drawn, exercise));
 }
 
 }  // namespace glassbox::learn::mine
