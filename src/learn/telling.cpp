@@ -110,7 +110,7 @@ std::string ray_rows(const Failure& failure, const Paint& paint) {
     std::string text =
         row("ray", fmt::format("{}, {}", vector("P", failure.ray, 0), vector("D", failure.ray, 3)), paint);
     if (surface.size() == 4)
-        text += row("sphere", fmt::format("{}, r = {}", vector("c", surface, 0), readable(surface[3])), paint);
+        text += row("sphere", fmt::format("{}, r = {}", vector("C", surface, 0), readable(surface[3])), paint);
     if (surface.size() == 9)
         text +=
             row("triangle",

@@ -143,24 +143,22 @@ TEST_CASE("a lesson that is reset stands as one that is not begun") {
 
 TEST_CASE("what no mistake explains is described, with the inputs of the check, and by the rule that is tested") {
     learn({"reset", "2"});
-    fs::copy_file(fs::path(ROOT) / "src/core/2-spheres/crossing.hpp", home() / "mine/2-spheres/crossing.hpp",
-                  fs::copy_options::overwrite_existing);
-    std::string solution = content(fs::path(ROOT) / "src/core/2-spheres/sphere.hpp");
-    // the brackets forgotten: right where D·D is 1 or the roots are not divided at all
-    const std::string roots = "return {real, (-b - root) / a, (-b + root) / a};";
-    REQUIRE(solution.find(roots) != std::string::npos);
-    solution.replace(solution.find(roots), roots.size(), "return {real, -b - root / a, -b + root / a};");
-    std::ofstream(home() / "mine/2-spheres/sphere.hpp") << solution;
+    for (const char* header : {"crossing.hpp", "sphere.hpp", "chord.hpp"})
+        fs::copy_file(fs::path(ROOT) / "src/core/2-spheres" / header, home() / "mine/2-spheres" / header,
+                      fs::copy_options::overwrite_existing);
+    std::string solution = content(fs::path(ROOT) / "src/core/2-spheres/quadratic.hpp");
+    // D made a unit vector: a and b are wrong where D is longer, c does not know D
+    const std::string direction = "const Vec3<Real> D = ray.D;";
+    REQUIRE(solution.find(direction) != std::string::npos);
+    solution.replace(solution.find(direction), direction.size(), "const Vec3<Real> D = unit(ray.D);");
+    std::ofstream(home() / "mine/2-spheres/quadratic.hpp") << solution;
     const Ran ran = learn({"test", "2"});
     CHECK(ran.status == 1);
-    check_has(ran.out, "✗ Textbook in mine/2-spheres/sphere.hpp:");
-    check_has(ran.out, "ray       P = (-10, 3, 0), D = (3, 0, 0)\n");
-    check_has(ran.out, "sphere    c = (0, 0, 0), r = 5\n");
-    check_has(ran.out, "What the checks show: ");
-    std::string in_one_line = ran.out;
-    for (std::size_t end = in_one_line.find("\n  "); end != std::string::npos; end = in_one_line.find("\n  "))
-        in_one_line.replace(end, 3, " ");
-    check_has(in_one_line, "wrong wherever |D| is not 1");
+    check_has(ran.out, "✗ quadratic in mine/2-spheres/quadratic.hpp:");
+    check_has(ran.out, "ray       P = (-10, 3, 0), D = (2, 0, 0)\n");
+    check_has(ran.out, "sphere    C = (0, 0, 0), r = 5\n");
+    // a and b of two rays with |D| = 2 and 3; their c, and b and c of a third with |D| = 1, are right
+    check_has(ran.out, "What the checks show: 4 of 8 checks looked at are wrong.");
     check_has(ran.out, " --sphere textbook --mine=2 --folder mine\n");
     CHECK(ran.out.find("This looks familiar.") == std::string::npos);
 }

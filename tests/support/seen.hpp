@@ -36,7 +36,7 @@ void add_named(std::vector<Named>& all, const std::string& name, const T& value)
         const auto add = [&](const char* member, const auto& of) { add_named(all, name + '.' + member, of); };
         if constexpr (requires { value.P, value.D; }) add("P", value.P), add("D", value.D);
         if constexpr (requires { value.A, value.B, value.C; }) add("A", value.A), add("B", value.B), add("C", value.C);
-        if constexpr (requires { value.r; }) add("c", value.c), add("r", value.r);
+        if constexpr (requires { value.r; }) add("C", value.C), add("r", value.r);
         if constexpr (requires { value.a, value.b, value.c; }) add("a", value.a), add("b", value.b), add("c", value.c);
         if constexpr (requires { value.met, value.t; }) add("met", value.met), add("t", value.t);
         if constexpr (requires { value.real; }) add("real", value.real);
