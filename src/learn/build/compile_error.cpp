@@ -358,13 +358,13 @@ std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
     return words.starts_with("did you mean") ? fmt::format("There is no header {}; {}", name, words) : "";
 }
 
-/// The learner's files that are compiled, in the order in which the compiler reads them.
-std::vector<fs::path> read_files(const OwnHeaders& mine) {
+/// These files and those of the learner's that they include, each after what it includes.
+std::vector<fs::path> read_with(const std::vector<fs::path>& headers, const fs::path& folder) {
     std::vector<fs::path> files;
     const std::function<void(const fs::path&)> read = [&](const fs::path& path) {
         const fs::path file = path.lexically_normal();
         const std::string text = content_of(file);
-        if (text.empty() || !lies_in(file, mine.folder) || std::ranges::find(files, file) != files.end()) return;
+        if (text.empty() || !lies_in(file, folder) || std::ranges::find(files, file) != files.end()) return;
         files.push_back(file);
         const std::size_t place = files.size() - 1;
         for (const std::string_view line : lines_of(text)) {
@@ -372,31 +372,34 @@ std::vector<fs::path> read_files(const OwnHeaders& mine) {
             if (line.find("#include") == std::string_view::npos || open == std::string_view::npos) continue;
             const std::string_view name = line.substr(open + 1, line.find_first_of(">\"", open + 1) - open - 1);
             read(file.parent_path() / name);
-            read(mine.folder / name);
+            read(folder / name);
         }
         std::rotate(files.begin() + static_cast<std::ptrdiff_t>(place),
-                    files.begin() + static_cast<std::ptrdiff_t>(place) + 1, files.end());  // after what it includes
+                    files.begin() + static_cast<std::ptrdiff_t>(place) + 1, files.end());
     };
-    for (const fs::path& header : mine.included) read(header);
+    for (const fs::path& header : headers) read(header);
     return files;
 }
 
-/// Returns what is not closed in one of the learner's files, if it comes before the error that the compiler reports.
+/// Returns what is not closed in one of the learner's files, unless the compiler found the error that it reports
+/// before: in that file, or in one that it includes.
 std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileError& told) {
-    for (const fs::path& file : read_files(mine)) {
+    for (const fs::path& file : read_with(mine.included, mine.folder)) {
+        const std::optional<Unclosed> found = unclosed_in(content_of(file));
+        if (!found) continue;
         const bool is_told = told.place.file == file.string();
-        if (const std::optional<Unclosed> found = unclosed_in(content_of(file))) {
-            if (is_told && std::pair(told.place.line, told.place.column) < std::pair(found->line, found->column))
-                return {};
-            CompileError error;
-            error.place = {file.string(), found->line, found->column};
-            error.yours = true;
-            error.source = line_of(file, found->line);
-            error.plain = found->words;
-            error.others = told.others + 1;
-            return error;
-        }
-        if (is_told) return {};
+        const std::vector<fs::path> before = read_with({file}, mine.folder);
+        const bool is_found_before = std::ranges::find(before, fs::path(told.place.file)) != before.end();
+        if (is_told ? std::pair(told.place.line, told.place.column) < std::pair(found->line, found->column)
+                    : is_found_before)
+            continue;
+        CompileError error;
+        error.place = {file.string(), found->line, found->column};
+        error.yours = true;
+        error.source = line_of(file, found->line);
+        error.plain = found->words;
+        error.others = told.others + 1;
+        return error;
     }
     return {};
 }
