@@ -322,10 +322,10 @@ TEST_CASE_TEMPLATE("quadratic: a = D.D, b = v.D, c = v.v - r^2, v from the centr
 }
 
 TEST_CASE_TEMPLATE("discriminant: b^2 - ac, of the sign that says how many roots there are", Real, EVERY_SCALAR) {
-    CHECK_EXACT(discriminant(Quadratic<Real>{4, -20, 84}), Real(64));   // 400 - 336: two
-    CHECK_EXACT(discriminant(Quadratic<Real>{1, 3, 9}), Real(0));       // (t + 3)^2: one
-    CHECK_EXACT(discriminant(Quadratic<Real>{9, 5, 16}), Real(-119));   // 25 - 144: none
-    CHECK_EXACT(discriminant(Quadratic<Real>{2, 3, -4}), Real(17));     // 9 + 8
+    CHECK_EXACT(discriminant(Quadratic<Real>{4, -20, 84}), Real(64));  // 400 - 336: two
+    CHECK_EXACT(discriminant(Quadratic<Real>{1, 3, 9}), Real(0));      // (t + 3)^2: one
+    CHECK_EXACT(discriminant(Quadratic<Real>{9, 5, 16}), Real(-119));  // 25 - 144: none
+    CHECK_EXACT(discriminant(Quadratic<Real>{2, 3, -4}), Real(17));    // 9 + 8
 }
 
 TEST_CASE_TEMPLATE("roots: (-b - s)/a and (-b + s)/a, s the root of the discriminant", Real, EVERY_SCALAR) {
@@ -345,11 +345,11 @@ TEST_CASE_TEMPLATE("roots: (-b - s)/a and (-b + s)/a, s the root of the discrimi
 }
 
 TEST_CASE_TEMPLATE("first_ahead: the smaller t where it is above 0, else the larger", Real, EVERY_SCALAR) {
-    CHECK_EXACT(first_ahead(Real(6), Real(14)), Real(6));    // before the sphere
-    CHECK_EXACT(first_ahead(Real(-7), Real(3)), Real(3));    // inside
-    CHECK_EXACT(first_ahead(Real(-3), Real(7)), Real(7));    // however near the one behind is
-    CHECK_EXACT(first_ahead(Real(0), Real(10)), Real(10));   // on the sphere, inwards: 0 is not ahead
-    CHECK_EXACT(first_ahead(Real(-14), Real(-6)), Real(-6)); // behind: who asks sees that it is not above 0
+    CHECK_EXACT(first_ahead(Real(6), Real(14)), Real(6));     // before the sphere
+    CHECK_EXACT(first_ahead(Real(-7), Real(3)), Real(3));     // inside
+    CHECK_EXACT(first_ahead(Real(-3), Real(7)), Real(7));     // however near the one behind is
+    CHECK_EXACT(first_ahead(Real(0), Real(10)), Real(10));    // on the sphere, inwards: 0 is not ahead
+    CHECK_EXACT(first_ahead(Real(-14), Real(-6)), Real(-6));  // behind: who asks sees that it is not above 0
     const Real least = std::numeric_limits<Real>::denorm_min();
     CHECK_EXACT(first_ahead(least, Real(1)), least);
 }

@@ -192,12 +192,12 @@ TEST_CASE_TEMPLATE("inside, the sides stand to each other as the weights of the 
 TEST_CASE_TEMPLATE("inside: no two of the three signs are opposite, and not all are 0", Real, EVERY_SCALAR) {
     const auto is_inside = [](Real a, Real b, Real c) { return inside(Sides<Real>{a, b, c}); };
     CHECK(is_inside(1, 2, 3));
-    CHECK(is_inside(-1, -2, -3));        // seen from behind
-    CHECK(is_inside(0, 2, 3));           // on an edge
-    CHECK(is_inside(0, 0, -3));          // at a vertex
-    CHECK_FALSE(is_inside(0, 0, 0));     // edge-on, or no area
-    CHECK_FALSE(is_inside(-1, 2, 3));    // beyond one edge
-    CHECK_FALSE(is_inside(-1, -2, 3));   // beyond two
+    CHECK(is_inside(-1, -2, -3));       // seen from behind
+    CHECK(is_inside(0, 2, 3));          // on an edge
+    CHECK(is_inside(0, 0, -3));         // at a vertex
+    CHECK_FALSE(is_inside(0, 0, 0));    // edge-on, or no area
+    CHECK_FALSE(is_inside(-1, 2, 3));   // beyond one edge
+    CHECK_FALSE(is_inside(-1, -2, 3));  // beyond two
     for (const Real a : {Real(-1), Real(0), Real(1)})
         for (const Real b : {Real(-1), Real(0), Real(1)})
             for (const Real c : {Real(-1), Real(0), Real(1)}) {
