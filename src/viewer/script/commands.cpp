@@ -140,7 +140,7 @@ struct Syntax {
     Command (*read)(const Words&);
 };
 
-const Syntax commands[] = {
+const Syntax all_commands[] = {
     {"open", "open SCENE", 1, 1,
      [](const Words& w) {
          return change([file = scene_path(w[1])](ViewerState& state) {
@@ -212,7 +212,7 @@ const Syntax commands[] = {
 
 Command command_of(const Words& words) {
     std::vector<std::string_view> names;
-    for (const Syntax& command : commands) {
+    for (const Syntax& command : all_commands) {
         names.push_back(command.name);
         if (words[0] != command.name) continue;
         const std::size_t after = words.size() - 1;
