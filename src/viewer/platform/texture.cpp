@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "render/pixel.hpp"
 #include "scene/error.hpp"
 #include "viewer/platform/opengl.hpp"
 
