@@ -252,8 +252,11 @@ void mistake(LearnRun& lesson) {
     if (lesson.request.record) return record(lesson, exercise);
     const std::vector<Mistake> mistakes = read_mistakes(exercise);
     if (lesson.request.mistake.empty()) {
-        for (const Mistake& one : mistakes)
-            print(fmt::format("{:<28} {}\n", one.name, wrapped(one.looks_like, 29, lesson.paint.width)));
+        for (const Mistake& one : mistakes) {  // a line each, for what reads them from a pipe
+            const std::string words =
+                LearnRun::is_terminal() ? wrapped(one.looks_like, 29, lesson.paint.width) : one.looks_like;
+            print(fmt::format("{:<28} {}\n", one.name, words));
+        }
         return;
     }
     const Mistake& chosen = mistake_called(mistakes, lesson.request.mistake, exercise);
@@ -282,8 +285,7 @@ void report(const LearnRequest& request, const std::stop_token& stop) {
     const std::string& why_not = grader.why_not_isolated();
     if (!why_not.empty()) say("note: learners' code runs as you do, with your rights: " + why_not);
     std::vector<LearnerStanding> learners;
-    if (!all.empty())
-        say(fmt::format("testing {} folder{}: some seconds a lesson", all.size(), all.size() == 1 ? "" : "s"));
+    if (!all.empty()) say(fmt::format("testing {}: some seconds a lesson", counted(all.size(), "folder")));
     for (const HandedIn& one : all) try {
             learners.push_back(grader.grade(one, stop));
         } catch (const Error& error) {

@@ -95,9 +95,18 @@ template <class Real, class Shape>
 ToldTest looked_up(const RecordedTest<Real, Shape>& test, const std::optional<std::array<Recorded<Real>, 3>>& weights,
                    const Lookup& look) {
     const NamingProbe<Real>& h = test.heard;
-    ToldTest result{
-        test.crossing.met, {},        look(h.discriminant), look(h.t0),      look(h.t1), look(h.a),
-        look(h.b),         look(h.c), look(h.sum),          look(h.deficit), {},         look.steps(test.step_count)};
+    ToldTest result{.met = test.crossing.met,
+                    .t = {},
+                    .discriminant = look(h.discriminant),
+                    .t0 = look(h.t0),
+                    .t1 = look(h.t1),
+                    .a = look(h.a),
+                    .b = look(h.b),
+                    .c = look(h.c),
+                    .sum = look(h.sum),
+                    .deficit = look(h.deficit),
+                    .weights = {},
+                    .steps = look.steps(test.step_count)};
     if (weights) result.weights = {look((*weights)[0]), look((*weights)[1]), look((*weights)[2])};
     if (!test.crossing.t.tape()) return result;
     result.t = look(test.crossing.t);

@@ -12,6 +12,9 @@
 #include "numerics/printed_bound.hpp"
 #include "render/option_names.hpp"
 #include "scene/printable.hpp"
+#include "scene/suggestion.hpp"
+#include "scene/text_file.hpp"
+#include "scene/utf8.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -29,10 +32,6 @@ std::string mark(State state, const Paint& paint) {
         default:
             return paint.faint("·");
     }
-}
-
-std::string plural(std::size_t count, std::string_view thing) {
-    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 /// "✓ nearest  · Textbook  … intersect, Stable wait for `Textbook`", in lines that begin with so many spaces.
@@ -60,11 +59,7 @@ std::string functions_line(const Exercise& exercise, const std::vector<FunctionJ
 
 std::string indented(std::string_view text, std::string_view by) {
     std::string result;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        result += fmt::format("{}{}\n", by, text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    for (const std::string_view line : lines_of(text)) result += fmt::format("{}{}\n", by, line);
     return result;
 }
 
@@ -140,14 +135,6 @@ std::vector<std::string> inputs_of(const Failure& failure) {
     return all;
 }
 
-/// The test's name without the scalar, and the scalar.
-std::pair<std::string, std::string> name_and_scalar(const std::string& name) {
-    for (const std::string_view scalar : {"<double>", "<float>", "<long double>"})
-        if (name.ends_with(scalar))
-            return {name.substr(0, name.size() - scalar.size()), std::string(scalar.substr(1, scalar.size() - 2))};
-    return {name, ""};
-}
-
 std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ", ")); }
 
 /// "my/1-rays/vec3.hpp:57", the line being where the function begins, as far as it can be found.
@@ -161,7 +148,7 @@ std::string place_of(const Workspace& workspace, const Exercise& exercise, const
 std::string failure_text(const Workspace& workspace, const CaseResult& one, const Paint& paint) {
     const Failure& failure = *one.failure;
     const auto [name, scalar] = name_and_scalar(one.name);
-    std::string text = row("test", scalar.empty() ? name : fmt::format("{}; in {}", name, scalar), paint);
+    std::string text = row("test", scalar.empty() ? std::string(name) : fmt::format("{}; in {}", name, scalar), paint);
     text += row("checked", failure.expression, paint);
     text += row("expected", failure.expected, paint);
     if (failure.threw.empty() && failure.died.empty()) text += row("got", failure.got, paint);
@@ -238,7 +225,7 @@ std::string passed_text(Learner& learner, const Exercise& exercise, const Tested
     const Workspace& workspace = learner.workspace();
     std::string text =
         fmt::format("{} {}\n\n", paint.good("✓"),
-                    paint.strong(fmt::format("All {} of lesson {} pass. {}", plural(tested.run.cases.size(), "test"),
+                    paint.strong(fmt::format("All {} of lesson {} pass. {}", counted(tested.run.cases.size(), "test"),
                                              exercise.number, exercise.sentence)));
     text += fmt::format("  See your picture:       {}\n",
                         command_line(workspace, fmt::format("picture {} -o picture.png", exercise.number)));
@@ -259,10 +246,6 @@ std::string Paint::set(std::string_view code, std::string_view text) const {
 }
 
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
-    const auto length = [](std::string_view part) {  // UTF-8: bytes that continue a character do not count
-        return static_cast<std::size_t>(
-            std::ranges::count_if(part, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-    };
     std::string lines;
     std::size_t column = indent;
     bool begins = true;
@@ -270,14 +253,14 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
         const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
         const std::string_view word = text.substr(0, end);
         const bool ends_line = end < text.size() && text[end] == '\n';
-        if (!begins && column + 1 + length(word) > width) {
+        if (!begins && column + 1 + columns(word) > width) {
             lines += '\n' + std::string(indent, ' ');
             column = indent;
             begins = true;
         }
         if (!begins) lines += ' ', ++column;
         lines += word;
-        column += length(word);
+        column += columns(word);
         begins = ends_line;
         if (ends_line) lines += '\n' + std::string(indent, ' '), column = indent;
         text.remove_prefix(std::min(end + 1, text.size()));
@@ -310,7 +293,7 @@ std::string error_text(const CompileError& error, const Paint& paint) {
     if (error.others > 0)
         text += fmt::format("  {}\n",
                             paint.faint(fmt::format("and {}, most likely because of this one",
-                                                    plural(static_cast<std::size_t>(error.others), "more error"))));
+                                                    counted(static_cast<std::size_t>(error.others), "more error"))));
     return text;
 }
 
@@ -332,11 +315,11 @@ std::string status_text(Learner& learner, const Paint& paint) {
         const auto done =
             static_cast<std::size_t>(std::ranges::count(functions, State::passed, &FunctionJudgement::state));
         std::string words =
-            progress.passed ? "passed" : fmt::format("{} of {}", done, plural(functions.size(), "function"));
+            progress.passed ? "passed" : fmt::format("{} of {}", done, counted(functions.size(), "function"));
         if (progress.gave_up) words += ", the solution was shown";
         int hints = 0;
         for (const auto& [function, count] : progress.hints) hints += count;
-        if (hints > 0) words += ", " + plural(static_cast<std::size_t>(hints), "hint");
+        if (hints > 0) words += ", " + counted(static_cast<std::size_t>(hints), "hint");
         text += fmt::format("  {} {:<10} {}  {}\n", exercise.number, exercise.title,
                             bar(progress.passed ? functions.size() : done, functions.size(), paint), words);
         if (&exercise == &present && !progress.passed)
@@ -379,8 +362,8 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
     std::vector<std::string> others;
     std::set<std::string> failed;  // a test that fails in double and float counts once
     for (const CaseResult& other : run.cases)
-        if (other.failure && other.failure->not_written().empty()) failed.insert(name_and_scalar(other.name).first);
-    failed.erase(name_and_scalar(one->name).first);
+        if (other.failure && other.failure->not_written().empty()) failed.emplace(name_and_scalar(other.name).first);
+    failed.erase(std::string(name_and_scalar(one->name).first));
     if (!failed.empty())
         others.push_back(fmt::format("{} more {}", failed.size(), failed.size() == 1 ? "fails" : "fail"));
     if (judgement.waiting > 0)
@@ -391,9 +374,10 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
 }
 
 std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint) {
-    return fmt::format("{} {}\n", paint.good("✓"),
-                       fmt::format("In {} all {} of lesson {} pass; long double takes a moment more.",
-                                   fmt::join(run.scalars, " and "), plural(run.cases.size(), "test"), exercise.number));
+    return fmt::format(
+        "{} {}\n", paint.good("✓"),
+        fmt::format("In {} all {} of lesson {} pass; long double takes a moment more.", fmt::join(run.scalars, " and "),
+                    counted(run.cases.size(), "test"), exercise.number));
 }
 
 std::string tested_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <crossing.hpp>
-#include <published_shading.hpp>
 #include <ray_color.hpp>
+#include <shade_by_model.hpp>
 
 #include "scene/coefficients.hpp"
 

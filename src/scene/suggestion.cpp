@@ -41,6 +41,10 @@ std::string did_you_mean(std::string_view unknown, const std::vector<std::string
     return did_you_mean(unknown, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
+std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
+}
+
 std::string either(const std::vector<std::string>& words) {
     std::string text = words.front();
     for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];

@@ -17,6 +17,9 @@ std::string suggestion(std::string_view unknown, std::span<const std::string_vie
 std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known);
 std::string did_you_mean(std::string_view unknown, const std::vector<std::string>& known);
 
+/// "1 test", "2 tests".
+std::string counted(std::size_t count, std::string_view thing);
+
 /// "a, b or c", of at least one word.
 std::string either(const std::vector<std::string>& words);
 

@@ -53,6 +53,16 @@ std::string read_lines(const std::filesystem::path& file) {
     return text;
 }
 
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
 std::optional<std::size_t> first_not_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto [code, size] = first_character(text.substr(i));

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glassbox {
 
@@ -15,6 +16,9 @@ std::string read_text(const std::filesystem::path& file);
 /// The same for text to be read line by line: drops a byte order mark, and turns each carriage return that ends a line
 /// by itself, as on old Macs, into a newline. Those before a newline stay, so that columns match the file.
 std::string read_lines(const std::filesystem::path& file);
+
+/// The lines of a text, without their newlines; a last newline begins no further line.
+std::vector<std::string_view> lines_of(std::string_view text);
 
 /// The offset of the first byte that is not well-formed UTF-8, if there is one.
 std::optional<std::size_t> first_not_utf8(std::string_view text);

@@ -1,5 +1,7 @@
 #include "scene/utf8.hpp"
 
+#include <algorithm>
+
 namespace glassbox {
 
 Utf8Character first_character(std::string_view text) {
@@ -21,6 +23,11 @@ Utf8Character first_character(std::string_view text) {
     if ((size == 3 && code < 0x800) || (size == 4 && code < 0x10000)) return {};
     if ((code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return {};
     return {code, size};
+}
+
+std::size_t columns(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
 }  // namespace glassbox

@@ -14,4 +14,7 @@ struct Utf8Character {
 /// The first character of a text that is not empty. RFC 3629 defines well-formed UTF-8.
 Utf8Character first_character(std::string_view text);
 
+/// How many columns of a terminal a text takes: one for each character.
+std::size_t columns(std::string_view text);
+
 }  // namespace glassbox

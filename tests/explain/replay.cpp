@@ -8,8 +8,8 @@
 #include <limits>
 #include <moeller_trumbore.hpp>
 #include <probe.hpp>
-#include <published_shading.hpp>
 #include <random>
+#include <shade_by_model.hpp>
 #include <tolerance.hpp>
 
 #include "numerics/recorded.hpp"

@@ -49,6 +49,11 @@ public:
 
     /// 0 if nothing is wrong.
     int operator()() {
+        if (request_.share > routes_.size()) {
+            fmt::print(stderr, "test_fuzz: error: --share {}: there are {} routes; each scene must have one\n",
+                       request_.share, routes_.size());
+            return 2;
+        }
         const auto begin = Clock::now();
         auto told = begin;
         if (request_.kind.empty())

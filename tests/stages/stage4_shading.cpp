@@ -1,8 +1,8 @@
 // Stage 4: light on a surface, term by term, by three models, and how the terms become a pixel.
 #include <light.hpp>
 #include <probe.hpp>
-#include <published_shading.hpp>
 #include <rgb.hpp>
+#include <shade_by_model.hpp>
 
 #include "checks.hpp"
 

@@ -17,6 +17,7 @@
 #include "learn/build/unclosed.hpp"
 #include "scene/printable.hpp"
 #include "scene/suggestion.hpp"
+#include "scene/text_file.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -62,16 +63,6 @@ struct Diagnosed {
     Located error;
     std::vector<Place> led_there;
 };
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
 
 std::vector<Diagnosed> diagnosed(const std::string& text) {
     std::vector<Diagnosed> errors;

@@ -4,19 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "scene/text_file.hpp"
+
 namespace glassbox::learn {
 namespace {
 
 /// The lines of a text without surrounding spaces: learners indent as they like.
 std::vector<std::string_view> bare_lines(std::string_view text) {
     constexpr std::string_view spaces = " \t\r";
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
+    std::vector<std::string_view> lines = lines_of(text);
+    for (std::string_view& line : lines) {
         line.remove_prefix(std::min(line.find_first_not_of(spaces), line.size()));
-        lines.push_back(line.substr(0, line.find_last_not_of(spaces) + 1));
-        text.remove_prefix(std::min(end + 1, text.size()));
+        line = line.substr(0, line.find_last_not_of(spaces) + 1);
     }
     return lines;
 }

@@ -12,22 +12,12 @@
 
 #include "learn/check/facts.hpp"
 #include "learn/check/relation.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox::learn {
 namespace {
 
 using Checks = std::vector<const CheckMade*>;
-
-/// "<double>"; "" for a case that is in all programs.
-std::string_view scalar_of(std::string_view test) {
-    for (const std::string_view scalar : {"<double>", "<float>", "<long double>"})
-        if (test.ends_with(scalar)) return scalar;
-    return "";
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// What is so of each of some checks, a row for each fact.
 struct Row {
@@ -69,10 +59,16 @@ struct Split {
     bool exact() const { return right == 0; }
 };
 
+bool is_so_of_all_wrong(const Checks& checks, const std::vector<signed char>& is) {
+    for (std::size_t i = 0; i < checks.size(); ++i)
+        if (!checks[i]->passed && is[i] != 1) return false;
+    return true;
+}
+
 std::optional<Split> split_by(const Checks& checks, const std::vector<signed char>& is) {
+    if (!is_so_of_all_wrong(checks, is)) return {};
     Split split;
     for (std::size_t i = 0; i < checks.size(); ++i) {
-        if (!checks[i]->passed && is[i] != 1) return {};
         if (!checks[i]->passed) ++split.wrong;
         else if (is[i] == 1) ++split.right;
         else if (is[i] == 0) ++split.right_elsewhere;
@@ -94,12 +90,7 @@ std::optional<Split> best_split(const Checks& checks) {
     std::optional<Split> best;
     double best_share = 0.5;
     for (const Row& row : rows) {
-        const bool of_all_wrong = [&] {
-            for (std::size_t i = 0; i < checks.size(); ++i)
-                if (!checks[i]->passed && row.holds[i] != 1) return false;
-            return true;
-        }();
-        if (!of_all_wrong) continue;
+        if (!is_so_of_all_wrong(checks, row.holds)) continue;
         possible.push_back(&row);
         std::optional<Split> split = split_by(checks, row);
         if (!split) continue;
@@ -120,9 +111,10 @@ std::optional<Split> best_split(const Checks& checks) {
     for (std::size_t k = 0; k < possible.size(); ++k)
         for (std::size_t i = 0; i < k; ++i) {
             std::vector<signed char> both = possible[i]->holds;
-            for (std::size_t n = 0; n < both.size(); ++n) both[n] = std::min(both[n], possible[k]->holds[n]);
-            for (std::size_t n = 0; n < both.size(); ++n)  // one of the two is not so: then not both are
-                if (possible[i]->holds[n] == 0 || possible[k]->holds[n] == 0) both[n] = 0;
+            for (std::size_t n = 0; n < both.size(); ++n) {
+                const signed char one = both[n], other = possible[k]->holds[n];
+                both[n] = one == 0 || other == 0 ? 0 : std::min(one, other);  // where one is not so, not both are
+            }
             std::optional<Split> split = split_by(checks, both);
             if (!split || !split->exact() || possible[i]->no == possible[k]->yes) continue;
             split->where = fmt::format("{} and {}", possible[i]->yes, possible[k]->yes);
@@ -224,10 +216,10 @@ std::string about_tests(const Exercise& exercise, const TestRun& run, const Judg
                         std::string_view scalar) {
     std::vector<std::string> right, wrong;
     for (const CaseResult& one : run.cases) {
-        if (function_tested_by(exercise, one.name) != judgement.function || scalar_of(one.name) != scalar) continue;
+        const auto [name, its] = name_and_scalar(one.name);
+        if (function_tested_by(exercise, one.name) != judgement.function || its != scalar) continue;
         if (one.failure && !one.failure->not_written().empty()) continue;
-        std::string name = one.name.substr(0, one.name.size() - scalar.size());
-        (one.failure ? wrong : right).push_back("“" + std::move(name) + "”");
+        (one.failure ? wrong : right).push_back(fmt::format("“{}”", name));
     }
     if (right.empty())
         return wrong.size() < 2 ? "Its one test fails." : fmt::format("All its {} tests fail.", wrong.size());
@@ -245,20 +237,20 @@ std::string about_tests(const Exercise& exercise, const TestRun& run, const Judg
 std::string description(const Exercise& exercise, const TestRun& run, const Judgement& judgement) {
     const CaseResult* const shown = judgement.shown;
     if (!shown || !shown->failure || !shown->failure->not_written().empty()) return "";
-    const std::string_view scalar = scalar_of(shown->name);
+    const std::string_view scalar = name_and_scalar(shown->name).second;
     Checks all, of_shown;
-    bool right_in_double = scalar == "<float>" || scalar == "<long double>", right_in_float = scalar == "<double>";
+    bool right_in_double = scalar == "float" || scalar == "long double", right_in_float = scalar == "double";
     bool any_in_float = false;
     for (const CaseResult& one : run.cases)
         if (function_tested_by(exercise, one.name) == judgement.function) {
-            const std::string_view its = scalar_of(one.name);
-            if (its == "<double>" && one.failure) right_in_double = false;
-            if (its == "<float>" && one.failure) right_in_float = false;
-            any_in_float |= its == "<float>";
+            const std::string_view its = name_and_scalar(one.name).second;
+            if (its == "double" && one.failure) right_in_double = false;
+            if (its == "float" && one.failure) right_in_float = false;
+            any_in_float |= its == "float";
         }
     for (const CheckMade& one : run.checks) {
         if (function_tested_by(exercise, one.test) != judgement.function) continue;
-        const std::string_view its = scalar_of(one.test);
+        const std::string_view its = name_and_scalar(one.test).second;
         if (its == scalar || its.empty()) all.push_back(&one);
         if (one.test == shown->name && one.line == shown->failure->line) of_shown.push_back(&one);
     }

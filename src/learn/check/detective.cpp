@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "learn/check/description.hpp"
+#include "learn/check/relation.hpp"
 #include "output/whole_file.hpp"
 #include "scene/text_file.hpp"
 
@@ -21,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr double as_good_as_equal = 1e-6;
 
 /// Strips the parenthesis from "0.5 (0x1p-1)": it is the same number again.
 std::string without_hexadecimals(std::string text) {
@@ -66,12 +65,6 @@ bool explains(const Trace& trace, const CaseResult& one) {
            (trace.checks.empty() || one.checks.empty() || trace.checks == one.checks);
 }
 
-bool close(double a, double b) {
-    return a == b || (std::isnan(a) && std::isnan(b)) ||
-           (std::isfinite(a) && std::isfinite(b) &&
-            std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b)));
-}
-
 }  // namespace
 
 bool same_got(std::string_view a, std::string_view b) {
@@ -79,7 +72,7 @@ bool same_got(std::string_view a, std::string_view b) {
         std::string_view after_a = a, after_b = b;
         const auto number_a = take_number(after_a), number_b = take_number(after_b);
         if (number_a && number_b) {
-            if (!close(*number_a, *number_b)) return false;
+            if (!as_good_as_equal(*number_a, *number_b)) return false;
             a = after_a, b = after_b;
         } else {
             if (a.front() != b.front()) return false;
@@ -196,13 +189,13 @@ Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgem
     };
     // A mistake is recorded in double, and in other scalars only if double is right.
     const auto is_recorded = [&](const CaseResult& one, const std::string& name) {
-        const auto in_float = [](const std::string& test) { return test.ends_with("<float>"); };
-        return !one.name.ends_with("<long double>") &&
-               (!in_float(one.name) || std::ranges::any_of(known, [&](const Trace& trace) {
-                   return trace.mistake == name && in_float(trace.test);
-               }));
+        const std::string_view scalar = name_and_scalar(one.name).second;
+        return scalar != "long double" && (scalar != "float" || std::ranges::any_of(known, [&](const Trace& trace) {
+                                               return trace.mistake == name &&
+                                                      name_and_scalar(trace.test).second == "float";
+                                           }));
     };
-    /// Whether every failure of a function is explained by one of two mistakes.
+    // Whether every failure of a function is explained by one of two mistakes.
     const auto explain_all = [&](const Function* function, const std::string& one, const std::string& other) {
         return std::ranges::all_of(run.cases, [&](const CaseResult& result) {
             return !result.failure || !result.failure->not_written().empty() || !is_recorded(result, one) ||
@@ -211,18 +204,21 @@ Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgem
         });
     };
 
-    Recognised found;
     const CaseResult* const shown = judgement.shown;
     const bool fails = shown && shown->failure && shown->failure->not_written().empty();
-    for (const bool alone : {true, false}) {
+    // The mistake that explains what is shown, and with it, alone or with another one, all that the function fails.
+    const auto first_found = [&]() -> Recognised {
+        std::vector<std::string> possible;
         for (const std::string& one : names)
-            for (const std::string& other : names) {
-                if (!found.name.empty() || !fails || (one == other) != alone || !explained(*shown, one)) continue;
-                if (!explain_all(judgement.function, one, other)) continue;
-                found.name = one;
-                if (!alone) found.also = other;
-            }
-    }
+            if (fails && explained(*shown, one)) possible.push_back(one);
+        for (const std::string& one : possible)
+            if (explain_all(judgement.function, one, one)) return {one, {}, {}, {}, {}};
+        for (const std::string& one : possible)
+            for (const std::string& other : names)
+                if (one != other && explain_all(judgement.function, one, other)) return {one, {}, other, {}, {}};
+        return {};
+    };
+    Recognised found = first_found();
     // Of two mistakes, the second may be in another function: it is named if it explains all that is wrong there.
     for (const std::string& one : names) {
         const Function* made_in = function_of(one, known, exercise);

@@ -9,20 +9,18 @@
 #include <optional>
 #include <string_view>
 
+#include <vec3.hpp>
+
 namespace glassbox::learn {
 namespace facts {  // several files are compiled as one: these names are only ours
 
 constexpr double nearly = 1e-9;  // of a length: what rounding may do to a test's numbers
 
-struct Vector {
-    double x = 0, y = 0, z = 0;
-};
-Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(const Vector& a) { return std::hypot(a.x, a.y, a.z); }
-Vector cross(const Vector& a, const Vector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using Vector = Vec3<double>;
+
+/// |a|, where squares would overflow or underflow, too.
+double size_of(const Vector& a) { return std::hypot(a.x, a.y, a.z); }
+
 Vector vector_at(const std::vector<double>& numbers, std::size_t at) {
     return {numbers[at], numbers[at + 1], numbers[at + 2]};
 }
@@ -45,14 +43,14 @@ public:
 };
 
 void add_direction(Facts& facts, const Vector& D) {
-    facts.add_is(std::abs(length(D) - 1) < nearly, "|D|", "1");
+    facts.add_is(std::abs(size_of(D) - 1) < nearly, "|D|", "1");
     const int zeros = (D.x == 0) + (D.y == 0) + (D.z == 0);
     facts.add_the_ray(zeros == 2, "runs along an axis", "runs along no axis");
 }
 
 void add_sphere(Facts& facts, const Vector& P, const Vector& D, const Vector& c, double r) {
     const Vector v = P - c;
-    const double away = length(v), off = length(cross(v, D)) / length(D);
+    const double away = size_of(v), off = size_of(cross(v, D)) / size_of(D);
     const bool on = std::abs(away - r) < nearly * r, inside = !on && away < r;
     const bool touches = std::abs(off - r) < nearly * r, passes = !touches && off > r;
     facts.add_the_ray(inside, "starts inside the sphere", "does not start inside the sphere");
@@ -67,17 +65,17 @@ void add_sphere(Facts& facts, const Vector& P, const Vector& D, const Vector& c,
     facts.add(dot(v, D) == 0, "v·D is 0", "v·D is not 0");
     facts.add(dot(v, D) > 0, "v·D is positive", "v·D is not positive");
     facts.add(off < nearly * r, "the ray's line goes through the centre", "the ray's line passes beside the centre");
-    facts.add(length(c) == 0, "the centre is the origin", "the centre is not the origin");
+    facts.add(size_of(c) == 0, "the centre is the origin", "the centre is not the origin");
     facts.add_is(r == 1, "the radius", "1");
-    facts.add(length(P) == 0, "the ray starts in the origin", "the ray does not start in the origin");
+    facts.add(size_of(P) == 0, "the ray starts in the origin", "the ray does not start in the origin");
 }
 
 void add_triangle(Facts& facts, const Vector& P, const Vector& D, const std::vector<double>& corners) {
     const Vector A = vector_at(corners, 0), B = vector_at(corners, 3), C = vector_at(corners, 6);
     const Vector n = cross(B - A, C - A);
-    const double across = dot(n, D), flat = nearly * length(n) * length(D);
+    const double across = dot(n, D), flat = nearly * size_of(n) * size_of(D);
     const bool edge_on = std::abs(across) <= flat;
-    facts.add(length(n) == 0, "the triangle has no area", "the triangle has an area");
+    facts.add(size_of(n) == 0, "the triangle has no area", "the triangle has an area");
     facts.add(edge_on, "the triangle is seen edge-on, or has no area", "the triangle is not seen edge-on");
     facts.add(across > flat, "the triangle is seen from behind (clockwise)",
               "the triangle is not seen from behind (clockwise)");
@@ -85,7 +83,7 @@ void add_triangle(Facts& facts, const Vector& P, const Vector& D, const std::vec
               "the triangle is not seen from the front (counter-clockwise)");
     if (!edge_on) {
         const double t = dot(n, A - P) / across;
-        const Vector hit{P.x + t * D.x, P.y + t * D.y, P.z + t * D.z};
+        const Vector hit = P + t * D;
         const double whole = dot(n, n);
         const double a = dot(n, cross(B - hit, C - hit)) / whole, b = dot(n, cross(C - hit, A - hit)) / whole,
                      c = dot(n, cross(A - hit, B - hit)) / whole;
@@ -121,7 +119,7 @@ void add_number(Facts& facts, const std::string& name, double x) {
 }
 
 void add_vector(Facts& facts, const std::string& name, const Vector& v) {
-    const double size = length(v);
+    const double size = size_of(v);
     if (!std::isfinite(size)) return;
     facts.add_is(size == 0, name, "zero");
     facts.add_is(std::abs(size - 1) < nearly, "|" + name + "|", "1");
@@ -148,12 +146,12 @@ void add_pair(Facts& facts, const Input& one, const Input& other) {
         return;
     }
     const Vector a = vector_at(one.numbers, 0), b = vector_at(other.numbers, 0);
-    const double cosine = dot(a, b), size = length(a) * length(b);
+    const double cosine = dot(a, b), size = size_of(a) * size_of(b);
     if (!std::isfinite(size)) return;
     facts.add(std::abs(cosine) <= nearly * size, both("at right angles"), both("not at right angles"));
     facts.add(cosine < 0, fmt::format("{}·{} is negative", one.name, other.name),
               fmt::format("{}·{} is not negative", one.name, other.name));
-    facts.add(length(cross(a, b)) <= nearly * size, both("parallel"), both("not parallel"));
+    facts.add(size_of(cross(a, b)) <= nearly * size, both("parallel"), both("not parallel"));
 }
 
 // What an expression is written with: first_of(Real(-7), Real(3)).t has -7 and 3.

@@ -14,12 +14,11 @@ namespace relations {  // several files are compiled as one: these names are onl
 
 using Checks = std::vector<const CheckMade*>;
 
-constexpr double as_good_as_equal = 1e-6;
+constexpr double tolerance = 1e-6;
 
 bool close(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)) ||
-           (std::isfinite(a) && std::isfinite(b) &&
-            std::abs(a - b) <= as_good_as_equal * std::max(std::abs(a), std::abs(b)));
+           (std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)));
 }
 
 double size_of(const std::vector<double>& v) {
@@ -31,7 +30,7 @@ double size_of(const std::vector<double>& v) {
 /// Whether two vectors, or two numbers, are as good as the same; small components beside large ones do not count.
 bool close(const std::vector<double>& a, const std::vector<double>& b) {
     if (a.size() != b.size()) return false;
-    const double most = as_good_as_equal * std::max(size_of(a), size_of(b));
+    const double most = tolerance * std::max(size_of(a), size_of(b));
     for (std::size_t i = 0; i < a.size(); ++i)
         if (!close(a[i], b[i]) && !(std::abs(a[i] - b[i]) <= most)) return false;
     return true;
@@ -175,7 +174,7 @@ std::string how_far(const Checks& wrong) {
         if (size == 0) return "";
         most = std::max(most, size_of(off) / size);
     }
-    if (most > as_good_as_equal) return "";
+    if (most > tolerance) return "";
     return fmt::format("is nearly right: off by rounding, by {:.1g} of its size or less", most * 1.05);
 }
 
@@ -227,6 +226,8 @@ std::string relation_of(const Checks& wrong) {
 }
 
 }  // namespace relations
+
+bool as_good_as_equal(double a, double b) { return relations::close(a, b); }
 
 std::string relation_of(const std::vector<const CheckMade*>& wrong) { return relations::relation_of(wrong); }
 

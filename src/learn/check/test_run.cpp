@@ -193,6 +193,13 @@ std::string function_not_written(const std::string& threw) {
 
 std::string Failure::not_written() const { return function_not_written(threw); }
 
+std::pair<std::string_view, std::string_view> name_and_scalar(std::string_view test) {
+    for (const std::string_view scalar : {"double", "float", "long double"})
+        if (const std::string suffix = fmt::format("<{}>", scalar); test.ends_with(suffix))
+            return {test.substr(0, test.size() - suffix.size()), scalar};
+    return {test, ""};
+}
+
 bool TestRun::passed() const {
     const auto passes = [](const CaseResult& one) { return !one.failure; };
     return !error && disturbed.empty() && !stopped && !cases.empty() && std::all_of(cases.begin(), cases.end(), passes);

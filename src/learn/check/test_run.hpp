@@ -5,6 +5,8 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "learn/build/compile_error.hpp"
@@ -61,6 +63,10 @@ struct CheckMade {
     std::vector<Input> inputs;
     std::vector<double> ray, surface;  ///< as in Failure
 };
+
+/// A case's name without its scalar, and the scalar: "the normal points outwards" and "double", of "…<double>"; "" for
+/// a case that is in all programs.
+std::pair<std::string_view, std::string_view> name_and_scalar(std::string_view test);
 
 /// How the tests of a lesson went.
 struct TestRun {

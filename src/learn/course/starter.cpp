@@ -4,21 +4,15 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <vector>
+
+#include "scene/text_file.hpp"
 
 namespace glassbox::learn {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-Lines lines_of_text(const std::string& text) {
-    Lines lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
 
 std::string_view indent_of(std::string_view line) {
     return line.substr(0, std::min(line.find_first_not_of(' '), line.size()));
@@ -34,7 +28,7 @@ std::string_view code_of(std::string_view line) {
 
 Lines code_lines(const std::string& body) {
     Lines code;
-    for (const std::string& line : lines_of_text(body))
+    for (const std::string_view line : lines_of(body))
         if (!code_of(line).empty()) code.emplace_back(code_of(line));
     return code;
 }
@@ -80,7 +74,8 @@ void add_include(Lines& lines) {
 }  // namespace
 
 std::string starter_from(const std::string& solution, const Exercise& exercise, const std::string& header) {
-    Lines lines = lines_of_text(solution);
+    const std::vector<std::string_view> all = lines_of(solution);
+    Lines lines(all.begin(), all.end());
     for (const Function& function : exercise.functions) {
         if (function.header != header) continue;
         const std::optional<Span> body = find_body(lines, code_lines(function.hints[hint_tiers - 1]));

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "learn/build/compile_error.hpp"
 #include "learn/check/test_run.hpp"
 #include "scene/error.hpp"
 #include "scene/printable.hpp"
+#include "scene/text_file.hpp"
 
 namespace glassbox::learn {
 namespace {
@@ -31,9 +31,8 @@ std::string end_of(const Outcome& outcome) {
 /// The lines of a text, each once, in the order in which they first come.
 std::vector<std::string> unlike_lines(const std::string& text) {
     std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-        if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    for (const std::string_view line : lines_of(text))
+        if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.emplace_back(line);
     return lines;
 }
 

@@ -9,6 +9,7 @@
 
 #include "output/png.hpp"
 #include "scene/printable.hpp"
+#include "scene/utf8.hpp"
 
 namespace glassbox::learn {
 
@@ -199,11 +200,6 @@ std::string html_table(const std::vector<LearnerStanding>& learners) {
         html += fmt::format("<td>{}</td><td>{}</td></tr>\n", lessons_passed(learners[k]), hints);
     }
     return html + fmt::format("</table>\n<p class=\"faint\">{}</p>\n", legend);
-}
-
-/// Returns how many columns of a terminal a text takes: one for each character.
-std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 /// Quotes a field where CSV requires it (RFC 4180).

@@ -11,10 +11,10 @@
 #include <moeller_trumbore.hpp>
 #include <pluecker.hpp>
 #include <probe.hpp>
-#include <published_shading.hpp>
 #include <ray.hpp>
 #include <ray_color.hpp>
 #include <rgb.hpp>
+#include <shade_by_model.hpp>
 #include <tolerance.hpp>
 #include <truth.hpp>
 #include <turn.hpp>

@@ -6,7 +6,7 @@
 #include <moeller_trumbore.hpp>
 #include <new>
 #include <probe.hpp>
-#include <published_shading.hpp>
+#include <shade_by_model.hpp>
 #include <tolerance.hpp>
 #include <turn.hpp>
 

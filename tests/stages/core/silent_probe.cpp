@@ -4,7 +4,7 @@
 #include <levental_2014.hpp>
 #include <moeller_trumbore.hpp>
 #include <probe.hpp>
-#include <published_shading.hpp>
+#include <shade_by_model.hpp>
 #include <tolerance.hpp>
 
 namespace glassbox {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "output/embed.hpp"
+#include "scene/text_file.hpp"
 
 // Written by CMake: a GLASSBOX_EMBED for each header of the core, and the table of them.
 #include "core_sources.inc"
@@ -48,15 +49,7 @@ const SourceFile* find_source(std::string_view path) {
     return found == std::end(embedded_core_sources) ? nullptr : &*found;
 }
 
-std::vector<std::string_view> lines(const SourceFile& file) {
-    std::vector<std::string_view> all;
-    for (std::string_view rest = file.text; !rest.empty();) {
-        const std::size_t end = rest.find('\n');
-        all.push_back(rest.substr(0, end));
-        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    }
-    return all;
-}
+std::vector<std::string_view> lines(const SourceFile& file) { return lines_of(file.text); }
 
 Described described_at(const SourceFile& file, std::size_t line) {
     const std::vector<std::string_view> all = lines(file);
