@@ -8,7 +8,8 @@ install(DIRECTORY src DESTINATION ${data} FILES_MATCHING PATTERN "*.hpp")
 install(FILES src/render/view.cpp DESTINATION ${data}/src/render)
 install(FILES src/learn/picture/renderer.cpp DESTINATION ${data}/src/learn/picture)
 install(DIRECTORY src/learn/check/runner DESTINATION ${data}/src/learn/check FILES_MATCHING PATTERN "*.cpp")
-install(DIRECTORY tests/stages tests/support DESTINATION ${data}/tests FILES_MATCHING PATTERN "*.hpp" PATTERN "stage*.cpp")
+install(DIRECTORY tests/stages tests/support DESTINATION ${data}/tests FILES_MATCHING PATTERN "*.hpp" PATTERN "stage*.cpp"
+        PATTERN "support/random_bits.cpp" PATTERN "support/seen.cpp" PATTERN "support/ulps.cpp")
 
 install(FILES README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md THIRD-PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN "*.md" PATTERN "*.png")

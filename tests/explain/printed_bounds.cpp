@@ -229,6 +229,14 @@ void check_pixel(const Scene& scene, const Options& options, int x, int y, Tally
     check_text(to_text(story), surfaces, hit, tally);
 }
 
+// The middle, half way to the corners, and odd offsets from these, in parts of the picture.
+#ifdef GLASSBOX_SANITIZED
+constexpr std::array<std::pair<double, double>, 2> places{{{.5, .5}, {.37, .66}}};  // checked code is slow
+#else
+constexpr std::array<std::pair<double, double>, 7> places{
+    {{.5, .5}, {.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}, {.52, .41}, {.37, .66}}};
+#endif
+
 }  // namespace
 
 TEST_CASE("every bound printed for the shipped scenes holds, in every scalar") {
@@ -244,9 +252,7 @@ TEST_CASE("every bound printed for the shipped scenes holds, in every scalar") {
             CAPTURE(scalar.name);
             Options options;
             options.scalar = scalar.value;
-            // The middle, half way to the corners, and odd offsets from these.
-            for (const auto& [x, y] :
-                 {std::pair{.5, .5}, {.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}, {.52, .41}, {.37, .66}})
+            for (const auto& [x, y] : places)
                 check_pixel(scene, options, static_cast<int>(x * scene.width), static_cast<int>(y * scene.height),
                             tally);
         }
@@ -254,7 +260,7 @@ TEST_CASE("every bound printed for the shipped scenes holds, in every scalar") {
     MESSAGE(tally.bounds << " bounds, " << tally.lies << " lies, " << scenes << " scenes");
     CHECK(scenes >= 12);
     CHECK(tally.lies == 0);
-    CHECK(tally.bounds > 10'000);
+    CHECK(tally.bounds > 1'500 * static_cast<int>(places.size()));
 }
 
 TEST_CASE("… turned, by other rules, and in Phong's own shading") {

@@ -1,10 +1,14 @@
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <ostream>
-#include <random>
+#include <doctest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+
+#include <support/random_bits.hpp>
 #include <support/traced_ray.hpp>
 #include <support/ulps.hpp>
 #include <vec3.hpp>
@@ -31,15 +35,15 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 template <class Real>
 constexpr std::array<Real, 5> sizes{Real(1), Real(0x1p13), Real(0x1p-13), Real(0x1p33), Real(0x1p-33)};
 
-/// Random numbers, the same ones on every machine: the standard fixes its engines, but not its distributions. The first
-/// ones are few digits long, for whoever must read with what a test fails.
+/// Random numbers, the same ones on every machine. The first ones are few digits long, for whoever must read with what
+/// a test fails.
 class Dice {
 public:
     template <class Real>
     Real between(Real low, Real high) {
-        const std::uint64_t bits = engine();
-        if (short_ones > 0) {  // an odd number of 16ths of the way: no end, no middle
-            --short_ones;
+        const std::uint64_t bits = random_.next();
+        if (short_ones_ > 0) {  // an odd number of 16ths of the way: no end, no middle
+            --short_ones_;
             return low + (high - low) * (static_cast<Real>(bits >> 61 << 1 | 1) / 16);
         }
         return low + (high - low) * (static_cast<Real>(bits >> 11) * Real(0x1p-53));
@@ -52,7 +56,7 @@ public:
     }
 
     int whole(int low, int high) {
-        return low + static_cast<int>(engine() % static_cast<std::uint64_t>(high - low + 1));
+        return low + static_cast<int>(random_.next() % static_cast<std::uint64_t>(high - low + 1));
     }
 
     template <class Real>
@@ -62,8 +66,8 @@ public:
     }
 
 private:
-    std::mt19937_64 engine{2014};
-    int short_ones = 60;
+    RandomBits random_;
+    int short_ones_ = 60;
 };
 
 /// |a|, for bounds and weights in tests: without the learner's own `length`.
@@ -72,50 +76,11 @@ Real size_of(const Vec3<Real>& a) {
     return std::hypot(a.x, a.y, a.z);
 }
 
-/// How far two vectors are apart, component by component, in units in the last place of the larger one's length.
-template <class Real>
-double ulps(const Vec3<Real>& got, const Vec3<Real>& expected) {
-    if (got == expected) return 0;
-    const Real size = size_of(expected);
-    const Real ulp = std::nextafter(size, std::numeric_limits<Real>::infinity()) - size;
-    const Vec3<Real> off{got.x - expected.x, got.y - expected.y, got.z - expected.z};  // nor the operators
-    return static_cast<double>(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) / ulp);
-}
-
-/// The same, component by component, each in units in its own last place.
-template <class Real>
-double ulps_by_component(const Vec3<Real>& got, const Vec3<Real>& expected) {
-    return std::max({ulps(got.x, expected.x), ulps(got.y, expected.y), ulps(got.z, expected.z)});
-}
-
-template <class Real>
-std::string shown(const Vec3<Real>& vector) {
-    std::ostringstream out;
-    out << vector;
-    return out.str();
-}
-
-/// What is told of a vector that must be right in every bit is told of its components: its length hides small ones.
 template <class Real>
 void check_ulps(const Vec3<Real>& got, const Vec3<Real>& expected, double most, const char* expression,
                 const char* file, int line) {
-    const double apart = ulps(got, expected);
-    if (apart <= most) return passed(expression, line, compared(expected));
-    failed({file, line, expression, shown(expected), shown(got), most > 0 ? apart : ulps_by_component(got, expected),
-            compared(expected), compared(got)});
-}
-
-/// For differences that cancel, where ulps of the (tiny) result would say nothing.
-template <class Real>
-bool within(Real got, Real expected, Real most) {
-    return std::abs(got - expected) <= most;
-}
-
-template <class T>
-void check_within(const T& got, const T& expected, const T& most, const char* expression, const char* file, int line) {
-    if (within(got, expected, most)) return passed(expression, line, compared(expected));
-    failed(
-        {file, line, expression, shown(expected), shown(got), ulps(got, expected), compared(expected), compared(got)});
+    const auto three = [](const Vec3<Real>& a) { return std::array<Real, 3>{a.x, a.y, a.z}; };
+    check_ulps(three(got), three(expected), most, expression, file, line);
 }
 
 }  // namespace glassbox::test

@@ -1,4 +1,5 @@
 // Stage 3: side products, which of them is the weight of which vertex, and which points belong to a triangle.
+#include <algorithm>
 #include <moeller_trumbore.hpp>
 #include <probe.hpp>
 #include <tolerance.hpp>

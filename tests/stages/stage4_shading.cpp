@@ -1,4 +1,5 @@
 // Stage 4: light on a surface, term by term, by three models, and how the terms become a pixel.
+#include <algorithm>
 #include <light.hpp>
 #include <probe.hpp>
 #include <rgb.hpp>

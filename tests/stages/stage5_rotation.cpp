@@ -1,4 +1,5 @@
 // Stage 5: turning the viewing plane about the axes of the world.
+#include <algorithm>
 #include <turn.hpp>
 #include <vector>
 

@@ -1,48 +1,25 @@
 #pragma once
-#include <doctest.h>
-
 #include <array>
-#include <cmath>
-#include <iomanip>
-#include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
-
-namespace glassbox {
-template <class Real>
-struct Vec3;
-}
 
 namespace glassbox::test {
 
 /// How many units in the last place of `expected` lie between the two numbers; 0 for equal ones (two NaNs, too).
 template <class Real>
-double ulps(Real got, Real expected) {
-    if (got == expected || (std::isnan(got) && std::isnan(expected))) return 0;
-    if (!std::isfinite(got) || !std::isfinite(expected)) return std::numeric_limits<double>::infinity();
-    const Real magnitude = std::abs(expected);
-    const Real ulp = std::nextafter(magnitude, std::numeric_limits<Real>::infinity()) - magnitude;
-    return static_cast<double>(std::abs(got - expected) / ulp);
-}
+double ulps(Real got, Real expected);
+
+/// How far two vectors are apart, component by component, in units in the last place of the larger one's length.
+template <class Real>
+double ulps(const std::array<Real, 3>& got, const std::array<Real, 3>& expected);
 
 /// "0.5 (0x1p-1)".
 template <class Real>
-std::string shown(Real number) {
-    std::ostringstream out;
-    out << std::setprecision(std::numeric_limits<Real>::max_digits10) << number << " (" << std::hexfloat << number
-        << ")";
-    return out.str();
-}
-extern template std::string shown(float);
-extern template std::string shown(double);
-extern template std::string shown(long double);
+std::string shown(Real number);
 
-// Those of whole vectors are in stages/checks.hpp.
+/// "(0.5, 1, 0)".
 template <class Real>
-double ulps(const Vec3<Real>& got, const Vec3<Real>& expected);
-template <class Real>
-std::string shown(const Vec3<Real>& vector);
+std::string shown(const std::array<Real, 3>& vector);
 
 /// A number or a vector that is compared, as far as double tells them apart.
 struct Compared {
@@ -53,9 +30,11 @@ struct Compared {
 template <class T>
 Compared compared(const T& value) {
     if constexpr (std::is_arithmetic_v<T>) return {{static_cast<double>(value)}, 1};
-    else if constexpr (requires { value.x, value.y, value.z; })
-        return {{static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z)}, 3};
     else return {};
+}
+template <class Real>
+Compared compared(const std::array<Real, 3>& vector) {
+    return {{static_cast<double>(vector[0]), static_cast<double>(vector[1]), static_cast<double>(vector[2])}, 3};
 }
 
 /// A check that failed: what was computed, where, and what should have come out.
@@ -68,8 +47,8 @@ struct Difference {
     Compared should_be = {}, is = {};
 };
 
-// Count a check. These are functions, not a long macro, so that tests compile in half the time: a learner waits for
-// them to compile after each change.
+// Count a check. These are functions, not a long macro, and what can be is compiled once, in ulps.cpp: a learner waits
+// for the tests to compile after each change.
 void passed();
 void passed(const char* expression, int line, const Compared& should_be);
 void failed(const Difference& difference);
@@ -80,6 +59,29 @@ void check_ulps(const T& got, const T& expected, double most, const char* expres
     if (apart <= most) return passed(expression, line, compared(expected));
     failed({file, line, expression, shown(expected), shown(got), apart, compared(expected), compared(got)});
 }
+
+/// Of vectors. What must be right in every bit is told in ulps of its components: its length hides small ones.
+template <class Real>
+void check_ulps(const std::array<Real, 3>& got, const std::array<Real, 3>& expected, double most,
+                const char* expression, const char* file, int line);
+
+/// For differences that cancel, where ulps of the (tiny) result would say nothing.
+template <class Real>
+void check_within(Real got, Real expected, Real most, const char* expression, const char* file, int line);
+
+#define GLASSBOX_CHECKED_IN(Real)                                                                                \
+    extern template double ulps(Real, Real);                                                                     \
+    extern template double ulps(const std::array<Real, 3>&, const std::array<Real, 3>&);                         \
+    extern template std::string shown(Real);                                                                     \
+    extern template std::string shown(const std::array<Real, 3>&);                                               \
+    extern template void check_ulps(const Real&, const Real&, double, const char*, const char*, int);            \
+    extern template void check_ulps(const std::array<Real, 3>&, const std::array<Real, 3>&, double, const char*, \
+                                    const char*, int);                                                           \
+    extern template void check_within(Real, Real, Real, const char*, const char*, int)
+GLASSBOX_CHECKED_IN(float);
+GLASSBOX_CHECKED_IN(double);
+GLASSBOX_CHECKED_IN(long double);
+#undef GLASSBOX_CHECKED_IN
 
 }  // namespace glassbox::test
 

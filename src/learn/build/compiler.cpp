@@ -98,8 +98,9 @@ Outcome compile(const Compiler& compiler, const Compilation& what, const std::st
 }
 
 Outcome link(const Compiler& compiler, const std::vector<fs::path>& objects, const fs::path& program,
-             const std::stop_token& stop) {
+             const std::string& linker, const std::stop_token& stop) {
     std::vector<std::string> arguments{"-o", program.string()};
+    if (!linker.empty()) arguments.push_back(linker);
     Isolation files{{}, {program.parent_path()}};
     for (const fs::path& object : objects) {
         arguments.push_back(object.string());
@@ -125,7 +126,7 @@ fs::path doctest_folder() {
     if (*GLASSBOX_DOCTEST == '\0')
         throw Error(
             "glassbox learn: error: the tests need doctest, and this program was built without it; install it (Debian, "
-            "Ubuntu: sudo apt-get install doctest-dev) and build again with the tests: cmake -D GLASSBOX_TESTS=ON");
+            "Ubuntu: sudo apt-get install doctest-dev) and build again with the tests: cmake -D GLASSBOX_TESTS=ALL");
     return GLASSBOX_DOCTEST;
 }
 

@@ -39,9 +39,9 @@ struct Compilation {
 /// not finish, or that needs more memory than the learner's machine can spare.
 Outcome compile(const Compiler& compiler, const Compilation& what, const std::stop_token& stop = {});
 
-/// Links objects to a program.
+/// Links objects to a program. `linker` is a flag that chooses one, or "".
 Outcome link(const Compiler& compiler, const std::vector<std::filesystem::path>& objects,
-             const std::filesystem::path& program, const std::stop_token& stop = {});
+             const std::filesystem::path& program, const std::string& linker, const std::stop_token& stop = {});
 
 /// Compiles a header that others include first, so that they need not read it again. Writes the result to `folder`,
 /// which must exist. Throws Error if the header cannot be compiled.

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <fstream>
 #include <future>
 
 #include "learn/build/compile_error.hpp"
@@ -21,6 +21,16 @@ constexpr std::size_t most_kept = 3;  // toolchains; each takes some tens of meg
 /// -O0 compiles fastest; a function without a return would only crash, so it is an error.
 const std::vector<std::string> test_flags{"-O0", "-g0", "-Werror=return-type"};
 
+/// What is compiled once: the tests' main() with what they share, and the main() of a lesson's program.
+const std::string prelude_source = "src/learn/check/runner/prelude.hpp";
+const std::string picture_source = "src/learn/check/runner/picture.cpp";
+const std::vector<std::string> runner_sources{"src/learn/check/runner/main.cpp", "tests/support/random_bits.cpp",
+                                              "tests/support/seen.cpp", "tests/support/ulps.cpp"};
+
+constexpr const char* linker_file = "linker";
+
+fs::path object_of(const fs::path& folder, const fs::path& source) { return folder / (source.stem().string() + ".o"); }
+
 void remove_old(const fs::path& hidden, const fs::path& but) {
     std::vector<std::pair<fs::file_time_type, fs::path>> found;
     std::error_code none;
@@ -31,22 +41,34 @@ void remove_old(const fs::path& hidden, const fs::path& but) {
     for (std::size_t i = most_kept - 1; i < found.size(); ++i) fs::remove_all(found[i].second, none);
 }
 
+/// Links a program without tests by each, and returns the flag of the first that can.
+std::string fastest_linker(const Compiler& compiler, const fs::path& folder) {
+    std::vector<fs::path> objects;
+    for (const std::string& source : runner_sources) objects.push_back(object_of(folder, source));
+    const fs::path program = folder / "no-tests";
+    std::string fastest;
+    for (const char* linker : {"-fuse-ld=gold", "-fuse-ld=lld"})
+        if (fastest.empty() && link(compiler, objects, program, linker).well()) fastest = linker;
+    std::error_code none;
+    fs::remove(program, none);
+    return fastest;
+}
+
 void make(const Workspace& workspace, const Compiler& compiler, const fs::path& doctest, const fs::path& folder,
           const std::string& precompiled) {
-    const fs::path runner = workspace.root / "src/learn/check/runner";
     const std::vector<fs::path> includes{workspace.root / "tests", workspace.root / "src", doctest};
-    const auto compile_main = [&](const char* name) {
-        const Compilation what{
-            runner / fmt::format("{}.cpp", name), folder / fmt::format("{}.o", name), includes, {"-O1", "-g0"}, {}};
+    const auto compile_once = [&](const std::string& source) {
+        const Compilation what{workspace.root / source, object_of(folder, source), includes, {"-O1", "-g0"}, {}};
         const Outcome outcome = compile(compiler, what);
         if (!outcome.well()) throw error_in_ours(outcome, what.source);
     };
-    auto both = std::async(std::launch::async, [&] {
-        compile_main("main");
-        compile_main("picture");
+    auto objects = std::async(std::launch::async, [&] {
+        for (const std::string& source : runner_sources) compile_once(source);
+        compile_once(picture_source);
     });
-    precompile(compiler, {runner / "prelude.hpp", folder / precompiled, includes, test_flags, {}});
-    both.get();
+    precompile(compiler, {workspace.root / prelude_source, folder / precompiled, includes, test_flags, {}});
+    objects.get();
+    std::ofstream(folder / linker_file, std::ios::binary) << fastest_linker(compiler, folder);
 }
 
 }  // namespace
@@ -57,21 +79,24 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
     const fs::path doctest = doctest_folder();
     std::vector<std::string> parts{tools.compiler.program, tools.compiler.identity, state_of(doctest / "doctest.h")};
     parts.insert(parts.end(), test_flags.begin(), test_flags.end());
-    for (const char* file : {"src/learn/check/runner/prelude.hpp", "src/learn/check/runner/main.cpp",
-                             "src/learn/check/runner/picture.cpp", "src/learn/subprocess/last_words.hpp",
-                             "tests/support/ulps.hpp", "tests/support/traced_ray.hpp", "tests/support/seen.hpp"})
-        parts.push_back(read_text(workspace.root / file));
+    for (const char* folder : {"src/learn/check/runner", "tests/support"}) add_headers(parts, workspace.root / folder);
+    parts.push_back(read_text(workspace.root / "src/learn/subprocess/last_words.hpp"));
+    for (const std::string& source : runner_sources) parts.push_back(read_text(workspace.root / source));
+    parts.push_back(read_text(workspace.root / picture_source));
     parts.push_back(workspace.root.string());  // clang++ records where its headers were
     tools.identity = fingerprint(parts);
 
     const fs::path folder = workspace.hidden() / ("tools-" + tools.identity);
     const std::string precompiled = tools.compiler.clang ? "prelude.pch" : "prelude.hpp.gch";
-    tools.main = folder / "main.o";
-    tools.picture_main = folder / "picture.o";
+    for (const std::string& source : runner_sources) tools.runner.push_back(object_of(folder, source));
+    tools.picture_main = object_of(folder, picture_source);
     tools.prelude = folder / precompiled;
     tools.flags = test_flags;
     for (const std::string& flag : beginning_with(tools.compiler, tools.prelude)) tools.flags.push_back(flag);
-    if (is_there(tools)) return tools;
+    if (is_there(tools)) {
+        tools.linker = content_of(folder / linker_file);
+        return tools;
+    }
 
     std::error_code failed;
     say("preparing the tests for your compiler: once, some seconds");
@@ -94,19 +119,20 @@ Toolchain toolchain(const Workspace& workspace, const std::function<void(const s
             throw error_at({folder.string()}, fmt::format("cannot make this folder: {}", why));
     }
     remove_old(workspace.hidden(), folder);
+    tools.linker = content_of(folder / linker_file);
     return tools;
 }
 
 bool is_there(const Toolchain& tools) {
     std::error_code none;
-    return std::ranges::all_of(std::array{tools.main, tools.picture_main, tools.prelude},
-                               [&](const fs::path& file) { return fs::is_regular_file(file, none); });
+    const auto is_file = [&](const fs::path& file) { return fs::is_regular_file(file, none); };
+    return is_file(tools.picture_main) && is_file(tools.prelude) && std::ranges::all_of(tools.runner, is_file);
 }
 
 Toolchain isolated(Toolchain tools, const Workspace& workspace) {
     const std::string why_not = why_not_isolated();
     if (!why_not.empty()) throw Error("glassbox learn: error: " + why_not);
-    std::vector<fs::path> reads{tools.main.parent_path(), doctest_folder()};
+    std::vector<fs::path> reads{tools.prelude.parent_path(), doctest_folder()};
     for (const char* folder : {"src", "tests", "lessons"}) reads.push_back(workspace.root / folder);
     tools.compiler = isolated(std::move(tools.compiler), std::move(reads));
     return tools;

@@ -13,11 +13,12 @@ namespace glassbox::learn {
 /// is in the learner's folder, in .glassbox/tools-….
 struct Toolchain {
     Compiler compiler;
-    std::vector<std::string> flags;      ///< for each test, those that begin with the precompiled prelude included
-    std::filesystem::path main;          ///< the object with main() and the reporter
-    std::filesystem::path picture_main;  ///< the object with the main() of a lesson's program
-    std::filesystem::path prelude;       ///< what the tests begin with, precompiled
-    std::string identity;                ///< what it was made of: a fingerprint
+    std::vector<std::string> flags;             ///< for each test, to begin with the precompiled prelude included
+    std::vector<std::filesystem::path> runner;  ///< objects with main(), the reporter and what tests share
+    std::string linker;                         ///< the flag that chooses the fastest; "" for the compiler's own choice
+    std::filesystem::path picture_main;         ///< the object with the main() of a lesson's program
+    std::filesystem::path prelude;              ///< what the tests begin with, precompiled
+    std::string identity;                       ///< what it was made of: a fingerprint
 };
 
 /// Whether all of its files exist: somebody may have deleted them.

@@ -89,7 +89,7 @@ public:
         if (content_of(file("key")) == ingredients) return {};
         std::error_code none;
         fs::remove(file("key"), none);
-        std::vector<fs::path> objects{tools_.main};
+        std::vector<fs::path> objects = tools_.runner;
         for (const fs::path& source : all) {
             objects.push_back(file(source.stem().string() + ".o"));
             const fs::path seen = file(source.filename().string());
@@ -99,7 +99,7 @@ public:
             if (error && !error->yours && !stop.stop_requested()) error = compiled(source, objects.back(), stop);
             if (error) return error;
         }
-        if (auto error = link_error(link(tools_.compiler, objects, file("program"), stop))) return error;
+        if (auto error = link_error(link(tools_.compiler, objects, file("program"), tools_.linker, stop))) return error;
         std::ofstream(file("key"), std::ios::binary) << ingredients;
         return {};
     }

@@ -51,7 +51,7 @@ std::optional<CompileError> build(const Workspace& workspace, const Exercise& ex
     if (auto error =
             compile_error(compile(tools.compiler, what, stop), own_headers(exercise, making.headers), workspace.root))
         return error;
-    return link_error(link(tools.compiler, {making.object, tools.picture_main}, making.program, stop));
+    return link_error(link(tools.compiler, {making.object, tools.picture_main}, making.program, tools.linker, stop));
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& sho
     std::optional<PictureUpdate> failure =
         failure_of(compiled, compile_error(compiled, own, workspace.root), "the compiler could not compile it: ");
     if (!failure) {
-        const Outcome linked = unless_stopped(link(compiler, {object}, program, stop));
+        const Outcome linked = unless_stopped(link(compiler, {object}, program, "", stop));
         failure = failure_of(linked, link_error(linked), "the program could not be linked: ");
     }
     std::error_code failed;

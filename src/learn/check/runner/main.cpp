@@ -18,6 +18,7 @@
 #include <support/ulps.hpp>
 #include <vector>
 
+#include "learn/check/runner/lean_cases.hpp"
 #include "learn/subprocess/last_words.hpp"
 
 namespace {
@@ -291,9 +292,22 @@ REGISTER_REPORTER("learn", 1, Reporter);
 
 namespace glassbox::test {
 
-template std::string shown(float);
-template std::string shown(double);
-template std::string shown(long double);
+KnownCase::KnownCase(void (*test)(), const char* file, int line, const char* name) {
+    using namespace doctest::detail;
+    regTest(TestCase(test, file, static_cast<unsigned>(line), doctest_detail_test_suite_ns::getCurrentTestSuite()) *
+            name);
+}
+
+Captured::Captured(const char* name, const void* value, AsText to_text)
+    : name_(name), value_(value), as_text_(to_text) {}
+Captured::~Captured() { destroy(); }
+void Captured::settle() {
+    text_ = as_text_(value_);
+    value_ = nullptr;
+}
+void Captured::stringify(std::ostream* out) const {
+    *out << name_ << " := " << (value_ ? as_text_(value_) : text_).c_str();
+}
 
 void passed() { passed("", Seen::now() ? Seen::now()->line() : 0, {}); }
 void passed(const char* expression, int line, const Compared& should_be) {

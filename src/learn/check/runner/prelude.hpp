@@ -16,8 +16,11 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <support/random_bits.hpp>
 #include <support/seen.hpp>
 #include <support/traced_ray.hpp>
 #include <support/ulps.hpp>
 #include <utility>
 #include <vector>
+
+#include "learn/check/runner/lean_cases.hpp"
