@@ -2,7 +2,7 @@
 #include <optional>
 
 #include <intersect_sphere.hpp>
-#include <shade.hpp>
+#include <shade_told.hpp>
 #include <tolerance.hpp>
 
 #include "numerics/recorded.hpp"

@@ -1,7 +1,7 @@
 #include "render/shoot.hpp"
 
 #include "render/parallel.hpp"
-#include "render/search/with_tracer.hpp"
+#include "render/search/with_search.hpp"
 
 namespace glassbox {
 

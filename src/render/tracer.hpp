@@ -6,14 +6,10 @@
 #include <ray_color.hpp>
 #include <shade_by_model.hpp>
 
+#include "render/tracer_told.hpp"
 #include "scene/coefficients.hpp"
 
 namespace glassbox {
-
-namespace told {
-struct Nearest {};        ///< (surface, t): the nearest hit
-struct SurfaceNormal {};  ///< the unit normal there
-}  // namespace told
 
 /// Computes pixel colours: searches for what a ray meets, and shades it.
 template <class Search>

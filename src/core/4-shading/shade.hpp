@@ -2,20 +2,10 @@
 #include <light.hpp>
 #include <reflection.hpp>
 #include <rgb.hpp>
+#include <shade_told.hpp>
 #include <shading.hpp>
 
 namespace glassbox {
-
-namespace told {
-struct NormalLight {};   ///< n·l, the cosine of the angle between normal and light
-struct NormalViewer {};  ///< n·r, r the unit vector towards the viewer
-struct HalfVector {};    ///< h
-struct NormalHalf {};    ///< n·h
-struct Reflection {};    ///< (m, r·m), m the reflected light of Phong's original model
-struct Ambient {};       ///< k_a
-struct DiffuseTerm {};   ///< I k_d max(0, n·l)
-struct SpecularTerm {};  ///< I k_s max(0, n·h)^e
-}  // namespace told
 
 /// The light that leaves a point towards the viewer, term by term, each as red, green, blue from 0 to 255.
 template <class Real>

@@ -4,13 +4,13 @@
 #include <optional>
 #include <type_traits>
 
-#include <shade.hpp>
+#include <shade_told.hpp>
 
 #include "render/measure/channel.hpp"
 #include "render/measure/triangle_numbers.hpp"
 #include "render/search/certified_search.hpp"
 #include "render/search/fast_search.hpp"
-#include "render/tracer.hpp"
+#include "render/tracer_told.hpp"
 
 namespace glassbox {
 
