@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_kept = 3;  // toolchains; each takes some tens of megabytes
 
 /// -O0 compiles fastest; a function without a return would only crash, so it is an error.
-const std::vector<std::string> test_flags{"-O0", "-g0", "-Werror=return-type"};
+const std::vector<std::string> test_flags{"-O0", "-g0", "-D_GLIBCXX_ASSERTIONS", "-Werror=return-type"};
 
 /// What is compiled once: the tests' main() with what they share, and the main() of a lesson's program.
 const std::string prelude_source = "src/learn/check/runner/prelude.hpp";

@@ -256,7 +256,8 @@ std::string description(const Exercise& exercise, const TestRun& run, const Judg
     }
     std::vector<std::string> sentences;
     const std::size_t wrong = wrong_ones(all).size();
-    if (wrong > 0)
+    if (wrong == 1 && all.size() == 1) sentences.push_back("The one check looked at is wrong.");
+    else if (wrong > 0)
         sentences.push_back(wrong == all.size()
                                 ? fmt::format("All {} looked at are wrong.", counted(all.size(), "check"))
                                 : fmt::format("{} of {} looked at {} wrong.", wrong, counted(all.size(), "check"),

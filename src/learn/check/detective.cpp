@@ -59,10 +59,12 @@ const Function* function_of(const std::string& mistake, const std::vector<Trace>
     return first;
 }
 
-/// Whether a mistake's trace of a case is what this case left behind.
+/// Whether a mistake's trace of a case is what this case left behind, as far as it came.
 bool explains(const Trace& trace, const CaseResult& one) {
+    const std::string_view checks = one.missing.empty() ? std::string_view(trace.checks)
+                                                        : std::string_view(trace.checks).substr(0, one.checks.size());
     return trace.test == one.name && same_got(got(*one.failure), trace.got) &&
-           (trace.checks.empty() || one.checks.empty() || trace.checks == one.checks);
+           (trace.checks.empty() || one.checks.empty() || checks == one.checks);
 }
 
 }  // namespace
@@ -100,7 +102,7 @@ std::vector<std::string> candidates(const TestRun& run, const std::vector<Trace>
         const auto here = std::find_if(run.cases.begin(), run.cases.end(),
                                        [&](const CaseResult& one) { return one.name == trace.test; });
         const bool fails = here != run.cases.end() && here->failure;
-        if (fails && !here->failure->not_written().empty()) continue;
+        if (fails && !here->missing.empty()) continue;
         if (!fails || !explains(trace, *here)) match.possible = false;
         ++match.tests;
     }
@@ -198,7 +200,7 @@ Recognised recognised(const Exercise& exercise, const TestRun& run, const Judgem
     // Whether every failure of a function is explained by one of two mistakes.
     const auto explain_all = [&](const Function* function, const std::string& one, const std::string& other) {
         return std::ranges::all_of(run.cases, [&](const CaseResult& result) {
-            return !result.failure || !result.failure->not_written().empty() || !is_recorded(result, one) ||
+            return !result.failure || !result.missing.empty() || !is_recorded(result, one) ||
                    function_tested_by(exercise, result.name) != function || explained(result, one) ||
                    explained(result, other);
         });

@@ -10,7 +10,7 @@ namespace glassbox::learn {
 /// What a test run says of one function.
 struct FunctionJudgement {
     State state = State::unknown;
-    std::string waits_for;  ///< the function that must be written before anything can be said of this one; "" for none
+    std::string waits_for;  ///< the function that must be written, or right, before anything can be said of this one
 };
 
 /// What a test run says of an exercise, function by function, and the one thing to look at first.
@@ -23,7 +23,8 @@ struct Judgement {
 };
 
 /// Goes through the functions in the order of writing. A case that ends only because it calls a function that is not
-/// written yet has not failed: the function that it tests waits for that one. The result points into the arguments.
+/// written yet has not failed: the function that it tests waits for that one. So does a function that is right by itself
+/// and wrong only with others, while one of those is wrong by itself. The result points into the arguments.
 Judgement judged(const Exercise& exercise, const TestRun& run);
 
 }  // namespace glassbox::learn

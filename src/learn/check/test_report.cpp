@@ -107,6 +107,7 @@ Report read_report(const std::string& text, const std::string& nonce, const Outc
         } else if (what == "end" && running) {
             running = false;
             report.cases.back().checks = json.value("checks", std::string());
+            report.cases.back().missing = function_not_written(json.value("threw", std::string()));
             if (!json.value("passed", false) && !report.cases.back().failure) report.cases.back().failure = Failure{};
         } else if (what == "check") {
             report.checks.push_back(check_from(json));

@@ -49,7 +49,8 @@ struct Failure {
 struct CaseResult {
     std::string name;  ///< with the scalar: "at(ray, t) is P + tD<double>"
     std::optional<Failure> failure = {};
-    std::string checks = {};  ///< a sign for each: + passed, - failed, ~ failed only sometimes; "" if it has not ended
+    std::string checks = {};   ///< a sign for each: + passed, - failed, ~ failed only sometimes; "" if it has not ended
+    std::string missing = {};  ///< the function that is not written yet and ended the case, whatever failed before
 };
 
 /// A check as it was made once, passed or failed. Of each check in a case only the first 60 of either are kept.

@@ -12,7 +12,7 @@ namespace glassbox::learn {
 struct Function {
     std::string name;                ///< as in not_written("nearest")
     std::string header;              ///< the file that it is in
-    std::vector<std::string> tests;  ///< a test case whose name contains one of these tests it
+    std::vector<std::string> tests;  ///< a test case whose name contains one of these tests it; the first, by itself
     std::string hints[3];            ///< a question, the formula, the line of code: the whole body
     std::string returns = {};        ///< its type: not_written<Roots<Real>>("Textbook")
     std::string turn = {};           ///< what stands above it in the starter: "// Your turn: …"; may be empty

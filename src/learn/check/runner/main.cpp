@@ -195,6 +195,7 @@ public:
 
     void test_case_start(const doctest::TestCaseData& test) override {
         subcases_.clear();
+        threw_.clear();
         told_line_ = none_told;
         glassbox::test::last_traced_ray() = {};
         cases.push_back({test.m_name, {}});
@@ -203,7 +204,7 @@ public:
     void test_case_reenter(const doctest::TestCaseData&) override { subcases_.clear(); }
     void test_case_end(const doctest::CurrentTestCaseStats& end) override {
         tell("end", member("passed", end.failure_flags == 0 ? "true" : "false") +
-                        member("checks", in_json(signs(cases.back()))));
+                        member("checks", in_json(signs(cases.back()))) + member("threw", in_json(threw_)));
         tell_checks();
     }
     void subcase_start(const doctest::SubcaseSignature& subcase) override {
@@ -217,7 +218,8 @@ public:
         std::vector<std::string> contexts;
         for (int i = 0; i < get_num_stringified_contexts(); ++i)
             contexts.emplace_back(get_stringified_contexts()[i].c_str());
-        wrong(thrown, member("threw", in_json(exception.error_string.c_str())), contexts);
+        threw_ = exception.error_string.c_str();
+        wrong(thrown, member("threw", in_json(threw_)), contexts);
     }
     void log_assert(const doctest::AssertData& check) override {
         keep_condition(check);
@@ -284,6 +286,7 @@ private:
     static constexpr int none_told = -1, thrown = -2;
     int told_line_ = none_told, told_length_ = 0;
     std::vector<std::string> subcases_;
+    std::string threw_;  ///< what ended the case
 };
 
 REGISTER_REPORTER("learn", 1, Reporter);
