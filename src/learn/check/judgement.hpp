@@ -23,8 +23,8 @@ struct Judgement {
 };
 
 /// Goes through the functions in the order of writing. A case that ends only because it calls a function that is not
-/// written yet has not failed: the function that it tests waits for that one. So does a function that is right by itself
-/// and wrong only with others, while one of those is wrong by itself. The result points into the arguments.
+/// written yet has not failed: the function that it tests waits for that one. So does a function that is right by
+/// itself and wrong only with others, while one of those is wrong by itself. The result points into the arguments.
 Judgement judged(const Exercise& exercise, const TestRun& run);
 
 }  // namespace glassbox::learn
