@@ -11,9 +11,21 @@ install(DIRECTORY src/learn/check/runner DESTINATION ${data}/src/learn/check FIL
 install(DIRECTORY tests/stages tests/support DESTINATION ${data}/tests FILES_MATCHING PATTERN "*.hpp" PATTERN "stage*.cpp"
         PATTERN "support/random_bits.cpp" PATTERN "support/seen.cpp" PATTERN "support/ulps.cpp")
 
-install(FILES README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md THIRD-PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES tests/certified/lost_rays.cpp DESTINATION ${data}/tests/certified)
+install(DIRECTORY docs DESTINATION ${data} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
+install(DIRECTORY examples DESTINATION ${data})
+
+# The pages link each other as they do here, from where documentation belongs, too.
+set(pages README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md THIRD-PARTY.md)
+install(FILES ${pages} DESTINATION ${data})
+install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(RELATIVE_PATH to_data /prefix/${CMAKE_INSTALL_DOCDIR} /prefix/${data})
+foreach(folder docs examples lessons scenes src tests)
+  install(CODE "
+    set(link \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/${folder}\")
+    file(REMOVE_RECURSE \"\${link}\")
+    file(CREATE_LINK ${to_data}/${folder} \"\${link}\" SYMBOLIC)")
+endforeach()
 install(FILES packaging/glassbox.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES packaging/glassbox.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME glassbox)
 install(FILES packaging/_glassbox DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)

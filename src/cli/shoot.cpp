@@ -13,6 +13,7 @@
 #include "scene/error.hpp"
 #include "scene/rays_file.hpp"
 #include "scene/scene_path.hpp"
+#include "scene/shipped.hpp"
 
 namespace glassbox {
 
@@ -28,7 +29,7 @@ struct ShootRequest : Request {
 /// Throws Error if the table would replace one of its own inputs.
 void check_keeps_inputs(const ShootRequest& request) {
     std::error_code none;
-    for (const fs::path& input : {fs::path(request.rays), scene_path(request.scene)})
+    for (const fs::path& input : {here_or_shipped(request.rays), scene_path(request.scene)})
         if (fs::is_regular_file(request.out, none) && fs::equivalent(request.out, input, none))
             throw error_at({request.out}, "this file is read, and would be lost; name another one for the hits");
 }
@@ -48,7 +49,7 @@ void run(const CLI::App& command, const ShootRequest& request, Session& session)
         check_keeps_inputs(request);
     }
     const Scene scene = load(request);
-    const std::vector<Ray<double>> rays = read_rays(request.rays);
+    const std::vector<Ray<double>> rays = read_rays(here_or_shipped(request.rays));
     note(command, "not used", unused_options(command, Rays::of_ones_own, request.setup.options));
     const std::stop_token stop = session.interrupt.token();
     const std::vector<Shot> shots = [&] {

@@ -21,4 +21,11 @@ fs::path shipped_folder() {
     return {};
 }
 
+fs::path here_or_shipped(const fs::path& named) {
+    std::error_code none;
+    if (named.is_absolute() || fs::exists(named, none)) return named;
+    const fs::path shipped = shipped_folder() / named;
+    return fs::is_regular_file(shipped, none) ? shipped : named;
+}
+
 }  // namespace glassbox

@@ -11,4 +11,7 @@ std::filesystem::path program_folder();
 /// from. Empty if neither is there.
 std::filesystem::path shipped_folder();
 
+/// The file as it is named; or, if there is none, the one that has this place in that folder: lessons/1-rays/rays.csv.
+std::filesystem::path here_or_shipped(const std::filesystem::path& named);
+
 }  // namespace glassbox

@@ -40,6 +40,20 @@ in_elsewhere(0 ${glassbox} explain levental-2014 --pixel 360,379)
 in_elsewhere(0 ${glassbox} doctor)
 expect_said("${prefix}/share/glassbox/scenes")
 
+# Each page that is there leads to pages that are there.
+foreach(folder share/glassbox share/doc/glassbox)
+  file(GLOB_RECURSE pages FOLLOW_SYMLINKS RELATIVE ${prefix}/${folder} ${prefix}/${folder}/*.md)
+  execute_process(COMMAND awk -f ${CMAKE_CURRENT_LIST_DIR}/../lessons/links.awk ${pages} WORKING_DIRECTORY ${prefix}/${folder}
+    RESULT_VARIABLE status ERROR_VARIABLE said OUTPUT_VARIABLE said)
+  list(LENGTH pages count)
+  if(status OR count LESS 15)
+    message(FATAL_ERROR "the ${count} pages of ${folder} should lead to one another:\n${said}")
+  endif()
+endforeach()
+
+# What a lesson names by its place in the project is found.
+in_elsewhere(0 ${glassbox} shoot triangle --rays lessons/1-rays/rays.csv)
+
 # my/ is made where one stands; the lessons are the installed ones.
 in_elsewhere(0 ${glassbox} learn status)
 expect_said("${prefix}/share/glassbox/lessons/1-rays/README.md")

@@ -148,6 +148,35 @@ TEST_CASE("a row that is not six numbers") {
     check_row_refused("1,2,3,4,5,6\r\n\r\n1,2,3,4,5\r", {"bad.csv:4:9: error: 5 numbers in this row"});
 }
 
+TEST_CASE("scene lists what comes with Glassbox, and copies one to the byte, never over a file that is there") {
+    const Workplace folder;
+    const auto scene = [&](Arguments arguments) {
+        arguments.insert(arguments.begin(), "scene");
+        return run_glassbox(arguments, {.folder = folder.path});
+    };
+    const Ran list = scene({});
+    CHECK(list.status == 0);
+    CHECK(list.out.find("\nroom             A room with a knot in it\n") != std::string::npos);
+
+    const Ran printed = scene({"sphere"});
+    CHECK(printed.status == 0);
+    CHECK(printed.err == "");
+    CHECK(printed.out.find("[[sphere]]") != std::string::npos);
+    CHECK(scene({"sphere", "-o", "ball.toml"}).status == 0);
+    CHECK(run_glassbox({"scene", "ball.toml"}, {.folder = folder.path}).out == printed.out);
+    CHECK(run_glassbox({"render", "ball.toml", "--size", "4x3"}, {.folder = folder.path}).status == 0);
+
+    const Ran again = scene({"triangle", "-o", "ball.toml"});
+    CHECK(again.status == 1);
+    CHECK(again.err.starts_with("ball.toml: error: there is a file of that name, which is not replaced"));
+    CHECK(run_glassbox({"scene", "ball.toml"}, {.folder = folder.path}).out == printed.out);
+
+    CHECK(scene({"room", "-o", "room.toml"}).err.starts_with("it reads meshes beside it"));
+    CHECK(scene({"rom"}).err.find("did you mean 'room'?") != std::string::npos);
+    CHECK(scene({"-o", "x.toml"}).status == 2);
+    CHECK_FALSE(fs::exists(folder / "x.toml"));
+}
+
 TEST_CASE("what is printed to a full or closed stdout is not taken for printed") {
     const Workplace folder;
     const auto check = [&](const Arguments& arguments, const char* out) {
