@@ -7,6 +7,7 @@
 
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/story/predicting.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox {
@@ -83,6 +84,7 @@ double Interface::draw(const Input& input) {
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
     background_.update(state_, results_);
+    follow_story(state_, results_);
     pictures_.update(state_, results_);
     if (state_.space_shown) {
         space_.update(state_, results_);

@@ -74,6 +74,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.beside = state.beside;
         fresh.split = state.split;
         fresh.other = state.other;
+        fresh.predicting = state.predicting;
         fresh.mine = state.mine;
         const learn::Exercise* const lesson = exercise_of(fresh.mine);
         if (lesson && shows_mine(fresh)) fresh.setup = History(for_lesson(fresh.setup.now(), *lesson));

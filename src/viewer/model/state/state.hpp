@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "explain/questions.hpp"
 #include "scene/scene.hpp"
 #include "viewer/model/state/history.hpp"
 #include "viewer/model/state/number_form.hpp"
@@ -82,6 +83,15 @@ struct Watching {
     double pixels_per_second = 20000;
 };
 
+/// "Predict first": what is to come on the timeline is hidden until the reader has said what to expect.
+struct Predicting {
+    bool on = false;
+    Answers answers;          ///< to the questions of the pinned pixel's story
+    std::uint64_t story = 0;  ///< which story that is: Results::story_serial
+    Score here, before;       ///< of that story, and of those before it
+    std::string typed;        ///< a number of bits
+};
+
 /// Everything that the viewer's user has chosen and opened. The interface draws it, keys and scripts change it; what is
 /// computed from it is in Results.
 struct ViewerState {
@@ -106,6 +116,7 @@ struct ViewerState {
     bool playing = false;
     double steps_per_second = 4;  ///< while it plays
     double since_step = 0;        ///< how much of the way to the next step is over
+    Predicting predicting;
     Watching watching;
 
     Page page = Page::inspector;

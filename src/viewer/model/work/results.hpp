@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "explain/questions.hpp"
 #include "explain/story.hpp"
+#include "explain/timeline.hpp"
 #include "learn/picture/picture_update.hpp"
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
-#include "viewer/model/story/timeline.hpp"
 
 namespace glassbox {
 
@@ -38,6 +39,7 @@ struct Results {
     std::shared_ptr<const MeasuredChannels> overlay;  ///< null: none
     std::shared_ptr<const Story> story;               ///< of the pinned pixel; null: none
     std::vector<Event> timeline;                      ///< of that story; empty without one
+    std::vector<Question> questions;                  ///< of that timeline
     std::shared_ptr<const Story> compared;            ///< of the second pinned pixel; null: none
     std::shared_ptr<const BoxLevels> boxes;           ///< the engine's hierarchy; null: not drawn, or not there yet
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
