@@ -22,11 +22,12 @@ namespace glassbox::script {
 
 namespace {
 
-constexpr NameTable<Page, 4> pages{{
+constexpr NameTable<Page, 5> pages{{
     {"inspector", Page::inspector, ""},
     {"steps", Page::steps, ""},
     {"overlay", Page::overlay, ""},
     {"controls", Page::controls, ""},
+    {"mine", Page::mine, ""},
 }};
 constexpr NameTable<Beside, 6> besides{{
     {"nothing", Beside::nothing, ""},
@@ -198,7 +199,7 @@ const Syntax all_commands[] = {
          });
      }},
     {"set", "set NAME VALUE", 2, 2, set},
-    {"page", "page inspector | steps | overlay | controls", 1, 1,
+    {"page", "page inspector | steps | overlay | controls | mine", 1, 1,
      [](const Words& w) {
          return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
      }},

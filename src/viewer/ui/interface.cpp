@@ -43,11 +43,12 @@ constexpr PageTab pages[] = {
     {Page::steps, "Steps", draw_steps},
     {Page::overlay, "Overlay", draw_overlay},
     {Page::controls, "Controls", draw_controls},
+    {Page::mine, "Mine", draw_mine},
 };
 
 void draw_pages(const Frame& frame) {
     if (!ImGui::BeginTabBar("pages")) return;
-    static_assert(std::size(pages) == 4);
+    static_assert(std::size(pages) == 5);
     const Page wanted = frame.state.page;
     const bool is_shown = frame.state.page_shown == wanted;
     for (const PageTab& tab : pages) {

@@ -66,6 +66,11 @@ void play(State& state, const Results& results, const KeyPress&) {
     play_or_pause(state, results);
 }
 
+void next_failing_test(State& state, const Results& results, const KeyPress& press) {
+    state.page = Page::mine;
+    look_at_next_failing(state, results, !press.shift);
+}
+
 void predict_or_not(State& state, const Results& results, const KeyPress&) {
     state.page = Page::steps;
     set_predicting(state, results, !state.predicting.on);
@@ -136,6 +141,11 @@ constexpr KeyBinding bindings[] = {
     {character('-'), "−", "", "Steps", say<-1>, asks<Asked::sign>},
     {character('0'), "0", "", "Steps", say<0>, asks<Asked::sign>},
     {character('k'), "k", "skip the question", "Steps", skip, is_asked},
+
+    {character('t'), "t", "to the next of your tests that fails, and its ray (with Shift: to the one before)", "Mine",
+     next_failing_test},
+    {character('g'), "g", "back from a test's ray to the scene before", "Mine",
+     [](State& s, const Results&, const KeyPress&) { look_back(s); }},
 
     {control('z'), "Ctrl+Z", "undo a change", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.setup.undo(); }},

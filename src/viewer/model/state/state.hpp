@@ -11,6 +11,7 @@
 #include "viewer/model/state/number_form.hpp"
 #include "viewer/model/state/picture_view.hpp"
 #include "viewer/model/state/setup_changes.hpp"
+#include "viewer/model/work/failing_test.hpp"
 #include "viewer/model/work/mine.hpp"
 
 namespace glassbox {
@@ -65,7 +66,7 @@ struct SceneMenu {
 };
 
 /// The pages of the panel on the right.
-enum class Page { inspector, steps, overlay, controls };
+enum class Page { inspector, steps, overlay, controls, mine };
 
 /// The space view's camera: it looks at the scene's middle from this direction.
 struct Orbit {
@@ -108,9 +109,10 @@ struct ViewerState {
     Overlay overlay;
     OverlayPage overlay_page;
     Beside beside = Beside::nothing;
-    double split = 0.5;  ///< where the split is, from the picture area's left (0) to its right (1)
-    Options other;       ///< what `Beside::other` is computed by: its scalar and rules count
-    MineChoice mine;     ///< what `Beside::mine` is computed by
+    double split = 0.5;                 ///< where the split is, from the picture area's left (0) to its right (1)
+    Options other;                      ///< what `Beside::other` is computed by: its scalar and rules count
+    MineChoice mine;                    ///< what `Beside::mine` is computed by
+    std::optional<LookedAt> looked_at;  ///< the test whose ray is the scene
 
     std::size_t step = 0;  ///< on the timeline of the pinned pixel
     bool playing = false;

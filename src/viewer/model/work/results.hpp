@@ -8,6 +8,7 @@
 #include "explain/story.hpp"
 #include "explain/timeline.hpp"
 #include "learn/picture/picture_update.hpp"
+#include "learn/told_tests.hpp"
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
@@ -36,6 +37,7 @@ struct Results {
     /// The state of the learner's picture; null if it is not shown, or nothing is known yet. While it has no drawing of
     /// its own, `other` is the last drawing; otherwise `other` is that drawing.
     std::shared_ptr<const learn::mine::PictureUpdate> mine;
+    std::shared_ptr<const learn::ToldTests> tests;    ///< of the learner's code; null: they do not run
     std::shared_ptr<const MeasuredChannels> overlay;  ///< null: none
     std::shared_ptr<const Story> story;               ///< of the pinned pixel; null: none
     std::vector<Event> timeline;                      ///< of that story; empty without one

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/panels.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
@@ -27,6 +28,7 @@ void draw_timeline_page(const Frame& frame) {
 void draw_steps(const Frame& frame) {
     ViewerState& state = frame.state;
     const std::span<const Event> timeline = steps_shown(state, frame.results);
+    draw_looked_at(frame);
     const float below = watch_height(frame);
     ImGui::BeginChild("timeline page", {0, std::max(ImGui::GetContentRegionAvail().y - below, ImGui::GetFontSize())});
     if (timeline.empty() || !frame.results.story) {
