@@ -35,11 +35,14 @@ commands | while read -r line; do
     echo "${words[-1]}"
     "$program" "${words[@]:1:${#words[@]}-2}" "$out/${words[-1]}" </dev/null
 done
-# The code of someone who learns, for figures that show it: the solution of lesson 2, but for a normal that calls itself.
+# The code of someone who learns, for figures that show it: the solution of lesson 2, but for a normal that calls itself;
+# that of lesson 3, but for a t that is not divided by the sum of the weights.
 learner=$(mktemp -d)
 trap 'rm -rf "$learner"' EXIT
-mkdir "$learner/2-spheres"
+mkdir "$learner/2-spheres" "$learner/3-triangles"
 cp src/core/2-spheres/*.hpp "$learner/2-spheres"
+cp src/core/3-triangles/*.hpp "$learner/3-triangles"
+sed -i.bak 's, / (a + b + c);,;,' "$learner/3-triangles/sides.hpp"
 sed -i.bak 's/return unit(X - sphere.C);/return X.z < 330 ? normal(sphere, X) : unit(X - sphere.C);/' \
     "$learner/2-spheres/sphere.hpp"
 

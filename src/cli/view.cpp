@@ -54,6 +54,7 @@ ViewerState first_state(const ViewRequest& request) {
     ViewerState state = opened(scene_path(request.scene.empty() ? usual : request.scene));
     state.mine = choice;
     if (mine) show_mine(state, lesson);
+    if (mine && request.pixel.empty()) state.page = Page::mine;
     for (const auto& [parameter, typed] : request.rules)
         state.setup.change(with_typed(state.setup.now(), *parameter, fmt::format("--{}", parameter->name), typed));
     return state;

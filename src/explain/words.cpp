@@ -1,5 +1,6 @@
 #include "explain/words.hpp"
 
+#include "numerics/dyadic.hpp"
 #include "scene/named.hpp"
 
 namespace glassbox {

@@ -96,22 +96,19 @@ std::vector<double> three_of(const std::vector<double>& numbers, std::size_t at)
 }
 
 /// The ray that was traced and its surface: "P = (0, 0, 8), D = (0, 0, -1)".
-std::string ray_rows(const Failure& failure, const Paint& paint) {
+std::vector<ToldRow> ray_rows(const Failure& failure) {
     const std::vector<double>& surface = failure.surface;
-    if (failure.ray.size() != 6) return "";
+    if (failure.ray.size() != 6) return {};
     const auto vector = [](const char* name, const std::vector<double>& from, std::size_t at) {
         return fmt::format("{} = {}", name, readable(three_of(from, at)));
     };
-    std::string text =
-        row("ray", fmt::format("{}, {}", vector("P", failure.ray, 0), vector("D", failure.ray, 3)), paint);
+    std::vector<ToldRow> rows{{"ray", fmt::format("{}, {}", vector("P", failure.ray, 0), vector("D", failure.ray, 3))}};
     if (surface.size() == 4)
-        text += row("sphere", fmt::format("{}, r = {}", vector("C", surface, 0), readable(surface[3])), paint);
+        rows.push_back({"sphere", fmt::format("{}, r = {}", vector("C", surface, 0), readable(surface[3]))});
     if (surface.size() == 9)
-        text +=
-            row("triangle",
-                fmt::format("{}, {}, {}", vector("A", surface, 0), vector("B", surface, 3), vector("C", surface, 6)),
-                paint);
-    return text;
+        rows.push_back({"triangle", fmt::format("{}, {}, {}", vector("A", surface, 0), vector("B", surface, 3),
+                                                vector("C", surface, 6))});
+    return rows;
 }
 
 /// What the check was made from, but for what it says itself, and for the ray that has its own row.
@@ -146,22 +143,8 @@ std::string place_of(const Workspace& workspace, const Exercise& exercise, const
 }
 
 std::string failure_text(const Workspace& workspace, const CaseResult& one, const Paint& paint) {
-    const Failure& failure = *one.failure;
-    const auto [name, scalar] = name_and_scalar(one.name);
-    std::string text = row("test", scalar.empty() ? std::string(name) : fmt::format("{}; in {}", name, scalar), paint);
-    text += row("checked", failure.expression, paint);
-    text += row("expected", failure.expected, paint);
-    if (failure.threw.empty() && failure.died.empty()) text += row("got", failure.got, paint);
-    const bool too_much = failure.threw == "std::bad_alloc" || failure.threw == "std::bad_array_new_length";
-    if (!failure.threw.empty())
-        text += row("threw", failure.threw + (too_much ? ": it asked for more memory than it may have" : ""), paint);
-    if (!failure.died.empty()) text += row("died", failure.died, paint);
-    text += row("off by", ulps_text(failure), paint);
-    text += ray_rows(failure, paint);
-    text += row("with", joined(inputs_of(failure)), paint);
-    if (!failure.file.empty())
-        text += row("at", fmt::format("{}:{}", shown((workspace.root / failure.file).lexically_normal()), failure.line),
-                    paint);
+    std::string text;
+    for (const auto& [name, value] : failure_rows(workspace, one)) text += row(name, value, paint);
     return text;
 }
 
@@ -180,28 +163,15 @@ std::string bar(std::size_t done, std::size_t all, const Paint& paint) {
     return paint.good(filled) + paint.faint(empty);
 }
 
-/// The option by which the viewer shows the rule that a failing test is about; "" if it is about none.
-std::string rule_option(const Exercise& exercise, const CaseResult& shown) {
-    const Function* const function = function_tested_by(exercise, shown.name);
-    const auto is_meant = [&](std::string_view name, std::string_view called) {
-        if (function && !function->rule.empty()) return function->rule == name;
-        return (function && function->name == called) || shown.name.starts_with(fmt::format("{}:", called));
-    };
-    for (const auto& [name, rule, help] : sphere_rules)
-        if (is_meant(name, struct_of(rule))) return fmt::format(" --sphere {}", name);
-    for (const auto& [name, rule, help] : triangle_rules)
-        if (is_meant(name, struct_of(rule))) return fmt::format(" --triangle {}", name);
-    return "";
-}
-
 /// How to open the ray of the failing test in the viewer; what is missing for the learner's own picture of it.
 std::string ray_to_look_at(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
     if (!tested.pixel) return "";
     const Workspace& workspace = learner.workspace();
-    std::string command = fmt::format("{} view {} --pixel {},{}{}",
-                                      command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
-                                      shell_word(shown(learner.failing_scene_file())), tested.pixel->first,
-                                      tested.pixel->second, rule_option(exercise, *tested.traced_in));
+    const auto [option, rule] = rule_to_see(exercise, tested.traced_in->name);
+    std::string command = fmt::format(
+        "{} view {} --pixel {},{}{}", command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
+        shell_word(shown(learner.failing_scene_file())), tested.pixel->first, tested.pixel->second,
+        option.empty() ? "" : fmt::format(" --{} {}", option, rule));
     std::string missing;
     if (exercise.own_picture != OwnPicture::none) {
         command += fmt::format(" --mine={}", exercise.number);
@@ -223,10 +193,7 @@ std::string ray_to_look_at(Learner& learner, const Exercise& exercise, const Tes
 
 std::string passed_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
     const Workspace& workspace = learner.workspace();
-    std::string text =
-        fmt::format("{} {}\n\n", paint.good("✓"),
-                    paint.strong(fmt::format("All {} of lesson {} pass. {}", counted(tested.run.cases.size(), "test"),
-                                             exercise.number, exercise.sentence)));
+    std::string text = fmt::format("{} {}\n\n", paint.good("✓"), paint.strong(all_pass_text(exercise, tested.run)));
     text += fmt::format("  See your picture:       {}\n",
                         command_line(workspace, fmt::format("picture {} -o picture.png", exercise.number)));
     text += fmt::format("  Compare with ours:      {}\n",
@@ -277,15 +244,58 @@ std::string ulps_text(const Failure& failure) {
     return fmt::format("{} {} in the last place)", rounded_up(ulps, 3), ulps == 1 ? "ulp (unit" : "ulps (units");
 }
 
-std::string error_text(const CompileError& error, const Paint& paint) {
+std::vector<ToldRow> failure_rows(const Workspace& workspace, const CaseResult& one) {
+    const Failure& failure = *one.failure;
+    const auto [name, scalar] = name_and_scalar(one.name);
+    std::vector<ToldRow> rows;
+    const auto add = [&](const char* what, std::string value) {
+        if (!value.empty()) rows.push_back({what, std::move(value)});
+    };
+    add("test", scalar.empty() ? std::string(name) : fmt::format("{}; in {}", name, scalar));
+    add("checked", failure.expression);
+    add("expected", failure.expected);
+    if (failure.threw.empty() && failure.died.empty()) add("got", failure.got);
+    const bool too_much = failure.threw == "std::bad_alloc" || failure.threw == "std::bad_array_new_length";
+    add("threw", failure.threw + (too_much ? ": it asked for more memory than it may have" : ""));
+    add("died", failure.died);
+    add("off by", ulps_text(failure));
+    for (ToldRow& row : ray_rows(failure)) rows.push_back(std::move(row));
+    add("with", joined(inputs_of(failure)));
+    if (!failure.file.empty())
+        add("at", fmt::format("{}:{}", shown((workspace.root / failure.file).lexically_normal()), failure.line));
+    return rows;
+}
+
+std::pair<std::string_view, std::string_view> rule_to_see(const Exercise& exercise, std::string_view test) {
+    const Function* const function = function_tested_by(exercise, test);
+    const auto is_meant = [&](std::string_view name, std::string_view called) {
+        if (function && !function->rule.empty()) return function->rule == name;
+        return (function && function->name == called) || test.starts_with(fmt::format("{}:", called));
+    };
+    for (const auto& [name, rule, help] : sphere_rules)
+        if (is_meant(name, struct_of(rule))) return {"sphere", name};
+    for (const auto& [name, rule, help] : triangle_rules)
+        if (is_meant(name, struct_of(rule))) return {"triangle", name};
+    return {};
+}
+
+std::string all_pass_text(const Exercise& exercise, const TestRun& run) {
+    return fmt::format("All {} of lesson {} pass. {}", counted(run.cases.size(), "test"), exercise.number,
+                       exercise.sentence);
+}
+
+ToldRow error_heading(const CompileError& error) {
     std::string where = printable(shown(error.place.file));
     if (error.place.line > 0) where += fmt::format(":{}", error.place.line);
     if (error.place.column > 0) where += fmt::format(":{}", error.place.column);
-    std::string text = error.place.file.empty()
-                           ? fmt::format("{} It does not compile.\n", paint.bad("✗"))
-                           : fmt::format("{} {}: {}\n", paint.bad("✗"), paint.strong(where),
-                                         error.yours || error.ours ? "this does not compile"
-                                                                   : "this does not compile with your headers");
+    if (error.place.file.empty()) return {"", "It does not compile."};
+    return {where, error.yours || error.ours ? "this does not compile" : "this does not compile with your headers"};
+}
+
+std::string error_text(const CompileError& error, const Paint& paint) {
+    const auto [where, what] = error_heading(error);
+    std::string text = where.empty() ? fmt::format("{} {}\n", paint.bad("✗"), what)
+                                     : fmt::format("{} {}: {}\n", paint.bad("✗"), paint.strong(where), what);
     if (!error.source.empty()) text += '\n' + indented(with_caret(error), "    ");
     text += '\n';
     if (!error.plain.empty()) text += fmt::format("  {}\n", wrapped(printable(error.plain), 2, paint.width));
@@ -373,11 +383,13 @@ std::string first_wrong_text(const Workspace& workspace, const Exercise& exercis
     return text;
 }
 
+std::string so_far_words(const Exercise& exercise, const TestRun& run) {
+    return fmt::format("In {} all {} of lesson {} pass; long double takes a moment more.",
+                       fmt::join(run.scalars, " and "), counted(run.cases.size(), "test"), exercise.number);
+}
+
 std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint) {
-    return fmt::format(
-        "{} {}\n", paint.good("✓"),
-        fmt::format("In {} all {} of lesson {} pass; long double takes a moment more.", fmt::join(run.scalars, " and "),
-                    counted(run.cases.size(), "test"), exercise.number));
+    return fmt::format("{} {}\n", paint.good("✓"), so_far_words(exercise, run));
 }
 
 std::string tested_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {

@@ -1,8 +1,11 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "learn/learner.hpp"
+#include "learn/told_tests.hpp"
 
 namespace glassbox::learn {
 
@@ -34,7 +37,18 @@ std::string status_text(Learner& learner, const Paint& paint);
 std::string first_wrong_text(const Workspace& workspace, const Exercise& exercise, const TestRun& run,
                              const Judgement& judgement, const Paint& paint);
 
+/// What a failed case reports, line by line: the test, what was checked, expected and got, the ray, the inputs.
+std::vector<ToldRow> failure_rows(const Workspace& workspace, const CaseResult& one);
+
+/// Returns the option by which the viewer shows the rule that a test is about, and its name: "sphere", "textbook"; ""
+/// for the usual one.
+std::pair<std::string_view, std::string_view> rule_to_see(const Exercise& exercise, std::string_view test);
+
+/// "All 24 tests of lesson 2 pass.", and what the learner can do now.
+std::string all_pass_text(const Exercise& exercise, const TestRun& run);
+
 /// A line that says that all passes in the scalars tested so far.
+std::string so_far_words(const Exercise& exercise, const TestRun& run);
 std::string so_far_text(const Exercise& exercise, const TestRun& run, const Paint& paint);
 
 /// The result of a test; of what is wrong only the first thing.
@@ -43,6 +57,9 @@ std::string tested_text(Learner& learner, const Exercise& exercise, const Tested
 /// How far what a test got is from what it expected, in ulps, where that is about rounding; "" where it is simply
 /// another number: one of another sign, or a million ulps or more away.
 std::string ulps_text(const Failure& failure);
+
+/// Where a program does not compile, "" if that is not known, and that it does not.
+ToldRow error_heading(const CompileError& error);
 
 /// What is wrong with a program that does not compile.
 std::string error_text(const CompileError& error, const Paint& paint);

@@ -153,13 +153,17 @@ std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int ed
         const auto old = viewer.results().mine;
         const auto start = Clock::now();
         std::ofstream(header) << text << "// edit " << i << '\n';
-        const auto is_new = [&] { return viewer.results().mine != old && viewer.settled(); };
+        const auto is_new = [&] {
+            const auto& now = viewer.results().mine;
+            return now != old && now->stand != Stand::compiling && now->stand != Stand::drawing;
+        };
         while (!is_new()) {
             viewer.frame();
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
         seconds.push_back(seconds_since(start));
-        const learn::mine::PictureUpdate& update = *viewer.results().mine;
+        const learn::mine::PictureUpdate update = *viewer.results().mine;
+        viewer.settle();  // and the tests, if they run
         if (update.stand != Stand::drawn || update.compile_seconds == 0)
             throw Error("view --bench --mine: error: " + update.words);
     }

@@ -71,3 +71,18 @@ TEST_CASE("pixels that are none") {
     refused("", {"'' must be X,Y"});
     check_refused(folder, {"explain", "s.toml"}, 2, {"--pixel is missing"});
 }
+
+// The ray of column 1 goes through the ball's middle: a hit, Δ = 1. The answers come from a file, and are shown.
+TEST_CASE("predict first, with answers from a file") {
+    const Folder folder;
+    write(folder / "s.toml", tiny_scene);
+    const std::string answers = write(folder / "answers", "h\n+\n").string();
+    const Ran ran = run_glassbox({"explain", "s.toml", "--pixel", "1,1", "--predict"},
+                                 {.folder = folder.path, .in = answers.c_str()});
+    CHECK(ran.status == 0);
+    CHECK(ran.err == "");
+    CHECK(ran.out.find("surface 0, sphere about (0, 1, 1), radius 1: hit or miss? (h or m) h\n") != std::string::npos);
+    CHECK(ran.out.find("which sign? (+, - or 0) +\n  right: Δ = 1\n") != std::string::npos);
+    CHECK(ran.out.ends_with("\n1 of 1 right\n"));  // the verdict comes after a question that nobody answered
+    check_refused(folder, {"explain", "s.toml", "--pixel", "1,1", "--predict", "--json"}, 2, {"--predict", "--json"});
+}

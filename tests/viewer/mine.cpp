@@ -4,6 +4,7 @@
 
 #include <doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -12,6 +13,8 @@
 #include "learn/prepared.hpp"
 #include "output/folder.hpp"
 #include "scene/error.hpp"
+#include "viewer/hidden_viewer.hpp"
+#include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/state.hpp"
 #include "viewer/model/work/background.hpp"
 #include "viewer/model/work/file_watch.hpp"
@@ -181,6 +184,147 @@ TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is 
     viewer.settle();
     CHECK(mine->stand == Stand::drawn);
     CHECK(mine->compile_seconds == 0);
+}
+
+// The mistake far-root-missing always takes the smaller t. So of −7 and 3, where 3 is ahead, −7 comes out; and from the
+// middle of a sphere of radius 5 about the origin, where t is −5 and 5, nothing is met.
+TEST_CASE("its tests at each save, listed as learn tells them; the ray of one that fails is pinned") {
+    using Tests = learn::ToldTests::Stand;
+    Viewer viewer;
+    ViewerState& state = viewer.state;
+    const auto& tests = viewer.results.tests;
+    const fs::path scene = state.file;
+    show_mine(state, 2);
+    viewer.settle();
+    CHECK(tests == nullptr);  // nobody has opened the page
+    state.mine.is_tested = true;
+    viewer.settle();
+    REQUIRE(tests);
+    CHECK(tests->stand == Tests::not_there);
+    CHECK(tests->words.find("'./glassbox learn test 2'") != std::string::npos);
+
+    for (const char* header : {"sphere.hpp", "quadratic.hpp", "chord.hpp"}) viewer.save(header);
+    viewer.save("crossing.hpp", "return choose(t0 > Real(0), t0, t1);", "return t0 + Real(0) * t1;");
+    viewer.settle();
+    CHECK(tests->stand == Tests::done);
+    CHECK_FALSE(tests->passed);
+    CHECK(tests->words.find(" tests fail") != std::string::npos);
+    const auto row = [](const std::vector<learn::ToldRow>& rows, const std::string& name) {
+        for (const learn::ToldRow& one : rows)
+            if (one.name == name) return one.value;
+        return std::string();
+    };
+    const std::string no_ray = "first_ahead: the smaller t where it is above 0, else the larger";
+    const learn::ToldCase* const bare = find_case(*tests, no_ray);
+    REQUIRE(bare);
+    CHECK(bare->state == learn::State::failing);
+    CHECK(bare->scalars == std::vector<std::string>{"double", "float"});
+    CHECK(row(bare->rows, "expected") == "3 (0x1.8p+1)");  // 1.5·2
+    CHECK(row(bare->rows, "got") == "-7 (-0x1.cp+2)");     // 1.75·4
+    CHECK_FALSE(bare->ray);
+    CHECK(tests->first == no_ray);  // the first function at fault
+    REQUIRE_FALSE(tests->about_first.empty());
+    CHECK(tests->about_first[0].name == "This looks familiar.");
+    const auto function = std::find_if(tests->functions.begin(), tests->functions.end(),
+                                       [](const learn::ToldFunction& f) { return f.name == "first_ahead"; });
+    REQUIRE(function != tests->functions.end());
+    CHECK(function->state == learn::State::failing);
+
+    // One without a ray is chosen, and the scene stays.
+    look_at(state, *bare);
+    CHECK(state.mine.test == no_ray);
+    CHECK(state.file == scene);
+    CHECK_FALSE(state.looked_at);
+
+    const learn::ToldCase* const traced =
+        find_case(*tests, "Stable: a sphere about the origin is met where it should be");
+    REQUIRE(traced);
+    REQUIRE(traced->ray);
+    look_at(state, *traced);
+    CHECK(state.file_error == "");
+    CHECK(state.pinned == traced->ray->pixel);
+    REQUIRE(state.looked_at);
+    CHECK(state.looked_at->test == traced->name);
+    CHECK(row(expected_and_got(state.looked_at->rows), "checked") == "crossing.met");
+    CHECK(row(expected_and_got(state.looked_at->rows), "got") == "false");
+    CHECK(shows_mine(state));
+    CHECK(state.setup.now().options.sphere_rule == SphereRule(Stable{}));
+    viewer.settle();
+    REQUIRE(viewer.results.story);
+    CHECK(viewer.results.story->ray.P == Vec3<double>{0, 0, 0});
+    REQUIRE(viewer.results.story->hit);
+    CHECK(viewer.results.story->hit->t.value == 5);  // that is what ours says
+
+    // Another one is looked at by key, and the way back leads to the scene that was there.
+    obey({Key::character, 't', false, false}, state, viewer.results);
+    CHECK(state.page == Page::mine);
+    CHECK(state.mine.test != traced->name);
+    obey({Key::character, 't', false, true}, state, viewer.results);
+    CHECK(state.mine.test == traced->name);
+    obey({Key::character, 'g', false, false}, state, viewer.results);
+    CHECK(state.file == scene);
+    CHECK_FALSE(state.looked_at);
+
+    viewer.save("sphere.hpp", "return unit(X - sphere.C);", "return unit(X - sphere.C)");
+    viewer.settle();
+    CHECK(tests->stand == Tests::does_not_compile);
+    CHECK(tests->words.find("2-spheres/sphere.hpp:") != std::string::npos);
+    CHECK(tests->words.ends_with(": this does not compile"));
+    REQUIRE(tests->error);
+    CHECK(tests->error->yours);
+
+    viewer.save("sphere.hpp");
+    viewer.save("crossing.hpp");
+    bool ran = false;
+    do {
+        std::this_thread::sleep_for(1ms);
+        viewer.background.update(state, viewer.results);
+        ran = ran || tests->stand == Tests::running;
+    } while (viewer.results.busy);
+    CHECK(ran);  // and it was told
+    CHECK(tests->passed);
+    CHECK(tests->words.starts_with("All "));
+    CHECK(tests->first == "");
+
+    // Stopped with the picture, in the middle of the work.
+    viewer.save("crossing.hpp", "return choose(t0 > Real(0), t0, t1);", "return t0 + Real(0) * t1;");
+    viewer.background.update(state, viewer.results);
+    toggle_mine(state);
+    viewer.settle();
+    CHECK(tests == nullptr);
+}
+
+TEST_CASE("a click on a failing test opens its ray; the page is drawn in each state") {
+    Viewer model;
+    for (const char* header : {"sphere.hpp", "quadratic.hpp", "chord.hpp"}) model.save(header);
+    model.save("crossing.hpp", "return choose(t0 > Real(0), t0, t1);", "return t0 + Real(0) * t1;");
+    model.state.page = Page::mine;
+    HiddenViewer viewer(std::move(model.state), {900, 700});
+    viewer.settle();
+    CHECK(viewer.results().tests == nullptr);  // nothing of the learner's is shown yet
+    show_mine(viewer.state(), 2);
+    viewer.settle();
+    REQUIRE(viewer.results().tests);
+    CHECK(viewer.results().tests->stand == learn::ToldTests::Stand::done);
+    viewer.state().mine.test = "Stable: a sphere about the origin is met where it should be";  // the list goes there
+    viewer.settle();
+    Pointer mouse{800, 0};  // on the right is the page; below its middle are the details
+    for (mouse.y = 100; mouse.y < 400 && !viewer.state().looked_at; mouse.y += 6) {
+        viewer.frame(mouse);
+        mouse.left = true;
+        viewer.frame(mouse);
+        mouse.left = false;
+        viewer.frame(mouse);
+    }
+    REQUIRE(viewer.state().looked_at);
+    CHECK(viewer.state().file.string().find(".glassbox/failing/") != std::string::npos);
+    viewer.settle();
+    CHECK(viewer.results().story);
+    for (const Page page : {Page::steps, Page::inspector, Page::mine}) {
+        viewer.state().page = page;
+        viewer.settle();
+    }
+    CHECK(viewer.screen().complaints() == 0);
 }
 
 TEST_CASE("a file that is written, taken away or put back has changed") {

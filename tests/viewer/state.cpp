@@ -93,6 +93,7 @@ TEST_CASE(
     state.pinned = Pixel{1, 1};
     state.appearance.dark = false;
     state.page = Page::controls;
+    state.side_width = .6f;
     state.scene_menu.folder = folder.path;
     state.setup.change(turned(state.setup.now(), Axis::y, 5));
     open(state, folder / "none.toml");
@@ -107,6 +108,7 @@ TEST_CASE(
     CHECK_FALSE(state.setup.can_undo());
     CHECK_FALSE(state.appearance.dark);
     CHECK(state.page == Page::controls);
+    CHECK(state.side_width == .6f);
     CHECK(state.scene_menu.folder == folder.path);
 }
 

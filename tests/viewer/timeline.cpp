@@ -1,6 +1,6 @@
 // The timeline of a pixel, against numbers worked out by hand on the paper's scene. Column j and row i are pixel (j,
 // 499 − i), whose ray starts at (500, j, i) and runs along (−1, 0, 0).
-#include "viewer/model/story/timeline.hpp"
+#include "explain/timeline.hpp"
 
 #include <doctest.h>
 

@@ -108,6 +108,13 @@ bool make_starters(const Workspace& workspace, const Exercise& exercise) {
     throw error_at({folder.string()}, fmt::format("cannot make this folder: {}; name another one with --folder", why));
 }
 
+void check_begun(const Workspace& workspace, const Exercise& exercise) {
+    std::error_code none;
+    if (!fs::is_directory(workspace.headers_of(exercise), none))
+        throw Error(fmt::format("{} is not begun: '{} learn test {}' makes the files that you write",
+                                shown(workspace.headers_of(exercise)), workspace.program, exercise.number));
+}
+
 fs::path replace_header(const Workspace& workspace, const Exercise& exercise, const std::string& header,
                         const std::string& text) {
     const fs::path path = workspace.header(exercise, header);

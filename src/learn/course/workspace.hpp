@@ -65,6 +65,9 @@ void check_room(const std::filesystem::path& folder);
 /// Makes the learner's headers of a lesson from the starters, unless its folder exists. Returns whether it made them.
 bool make_starters(const Workspace& workspace, const Exercise& exercise);
 
+/// Throws Error, which says how to begin, if the learner has no headers of a lesson yet.
+void check_begun(const Workspace& workspace, const Exercise& exercise);
+
 /// Replaces the text of a learner's header; keeps the old file as NAME.hpp.1, or the next number that is free. Returns
 /// where it is kept; empty if there was nothing, or the same text.
 std::filesystem::path replace_header(const Workspace& workspace, const Exercise& exercise, const std::string& header,

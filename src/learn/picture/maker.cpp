@@ -142,10 +142,7 @@ std::vector<std::string> headers_to_draw_with(const Workspace& workspace, const 
             fmt::format("the picture beside ours is not made by what {} teaches; '{} learn picture {}' "
                         "draws one that is",
                         exercise.name, workspace.program, exercise.number));
-    std::error_code none;
-    if (!fs::is_directory(workspace.headers_of(exercise), none))
-        throw Error(fmt::format("{} is not begun: '{} learn test {}' makes the files that you write",
-                                shown(workspace.headers_of(exercise)), workspace.program, exercise.number));
+    check_begun(workspace, exercise);
     std::vector<std::string> texts;
     for (const std::string& header : exercise.headers) texts.push_back(read_header(workspace, exercise, header));
     return texts;

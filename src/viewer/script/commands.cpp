@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/hierarchy.hpp"
+#include "explain/timeline.hpp"
 #include "output/output_file.hpp"
 #include "render/typed.hpp"
 #include "scene/error.hpp"
@@ -14,18 +15,19 @@
 #include "scene/suggestion.hpp"
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/state/keys.hpp"
-#include "viewer/model/story/timeline.hpp"
+#include "viewer/model/story/predicting.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox::script {
 
 namespace {
 
-constexpr NameTable<Page, 4> pages{{
+constexpr NameTable<Page, 5> pages{{
     {"inspector", Page::inspector, ""},
     {"steps", Page::steps, ""},
     {"overlay", Page::overlay, ""},
     {"controls", Page::controls, ""},
+    {"mine", Page::mine, ""},
 }};
 constexpr NameTable<Beside, 6> besides{{
     {"nothing", Beside::nothing, ""},
@@ -115,11 +117,26 @@ Command step(const Words& words) {
     return change([to, by, relative](ViewerState& state, const Results& results) {
         state.page = Page::steps;
         if (!results.story) throw Error("step: no pixel is pinned; put 'pin X,Y' before");
-        const std::vector<Event>& events = results.timeline;
+        const std::span<const Event> events = steps_shown(state, results);
         const auto last = std::max<std::int64_t>(static_cast<std::int64_t>(events.size()) - 1, 0);
         const std::int64_t at = by + (relative ? static_cast<std::int64_t>(state.step) : 0);
         state.step =
             to ? stepped(events, state.step, *to) : static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, last));
+    });
+}
+
+/// Goes to the next question, and answers it.
+Command predict(const Words& words) {
+    return change([typed = words[1]](ViewerState& state, const Results& results) {
+        const Question* const next = next_question(state, results);
+        if (!next) throw Error("predict: nothing is asked; put 'set predict on' and 'pin X,Y' before");
+        const std::optional<double> said = answer_in(typed, next->asked);
+        if (!said && typed != "skip")
+            throw wrong("predict", fmt::format("'{}' is no answer to: {}", typed,
+                                               in_words(*results.story, results.timeline, *next)));
+        state.page = Page::steps;
+        state.step = next->at;
+        answer(state, results, said);
     });
 }
 
@@ -182,11 +199,12 @@ const Syntax all_commands[] = {
          });
      }},
     {"set", "set NAME VALUE", 2, 2, set},
-    {"page", "page inspector | steps | overlay | controls", 1, 1,
+    {"page", "page inspector | steps | overlay | controls | mine", 1, 1,
      [](const Words& w) {
          return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
      }},
     {"step", "step N | +N | -N | first | back | forward | last | failed | cancellation", 1, 1, step},
+    {"predict", "predict hit | miss | + | - | 0 | BITS | skip", 1, 1, predict},
     {"watch", "watch PIXELS", 1, 1,
      [](const Words& w) {
          return change([shown = whole_number("watch", w[1], 0, max_side * max_side)](ViewerState& state) {

@@ -9,6 +9,7 @@
 #include "render/parameters.hpp"
 #include "render/typed.hpp"
 #include "scene/suggestion.hpp"
+#include "viewer/model/story/predicting.hpp"
 #include "viewer/script/commands.hpp"
 
 namespace glassbox::script {
@@ -76,6 +77,12 @@ const Settable settables[] = {
     {"lesson",
      [](Word name, Word typed) {
          return change([lesson = whole_number(name, typed, 1, 99)](ViewerState& s) { show_mine(s, lesson); });
+     }},
+    {"predict",
+     [](Word name, Word typed) {
+         return change([on = chosen(name, typed, switches)](ViewerState& s, const Results& results) {
+             set_predicting(s, results, on);
+         });
      }},
     settable(
         "opacity", from_to(0, 1), [](ViewerState& s) -> auto& { return s.overlay.opacity; }),

@@ -7,6 +7,7 @@
 
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/story/predicting.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox {
@@ -42,11 +43,12 @@ constexpr PageTab pages[] = {
     {Page::steps, "Steps", draw_steps},
     {Page::overlay, "Overlay", draw_overlay},
     {Page::controls, "Controls", draw_controls},
+    {Page::mine, "Mine", draw_mine},
 };
 
 void draw_pages(const Frame& frame) {
     if (!ImGui::BeginTabBar("pages")) return;
-    static_assert(std::size(pages) == 4);
+    static_assert(std::size(pages) == 5);
     const Page wanted = frame.state.page;
     const bool is_shown = frame.state.page_shown == wanted;
     for (const PageTab& tab : pages) {
@@ -83,6 +85,7 @@ double Interface::draw(const Input& input) {
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
     background_.update(state_, results_);
+    follow_story(state_, results_);
     pictures_.update(state_, results_);
     if (state_.space_shown) {
         space_.update(state_, results_);

@@ -31,6 +31,7 @@ void draw_inspector(const Frame& frame);   ///< the pinned pixel's story
 void draw_steps(const Frame& frame);       ///< its timeline, and the source
 void draw_overlay(const Frame& frame);     ///< which measurement, its legend and histogram, what stands beside
 void draw_controls(const Frame& frame);    ///< all of the setup
+void draw_mine(const Frame& frame);        ///< the learner's tests
 void draw_status(const Frame& frame);      ///< one line
 void draw_scene_menu(const Frame& frame);  ///< what can be opened, if it is shown
 /// Shows why the file cannot be read, over the area of the last good picture.

@@ -4,6 +4,7 @@
 
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/story/predicting.hpp"
 
 namespace glassbox {
 
@@ -56,13 +57,39 @@ void step(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
     state.playing = false;
     state.page = Page::steps;
-    state.step = stepped(results.timeline, state.step, to);
+    state.step = stepped(steps_shown(state, results), state.step, to);
 }
 
 void play(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
     state.page = Page::steps;
     play_or_pause(state, results);
+}
+
+void next_failing_test(State& state, const Results& results, const KeyPress& press) {
+    state.page = Page::mine;
+    look_at_next_failing(state, results, !press.shift);
+}
+
+void predict_or_not(State& state, const Results& results, const KeyPress&) {
+    state.page = Page::steps;
+    set_predicting(state, results, !state.predicting.on);
+}
+
+template <int said>
+void say(State& state, const Results& results, const KeyPress&) {
+    answer(state, results, said);
+}
+
+void skip(State& state, const Results& results, const KeyPress&) { answer(state, results, {}); }
+
+bool is_asked(const State& state, const Results& results) {
+    return state.page == Page::steps && open_question(state, results);
+}
+
+template <Asked what>
+bool asks(const State& state, const Results& results) {
+    return is_asked(state, results) && open_question(state, results)->asked == what;
 }
 
 void change_boxes(State& state, const Results& results, const KeyPress& press) {
@@ -107,6 +134,19 @@ constexpr KeyBinding bindings[] = {
     {character('n'), "n", "to the next failed test", "Steps", step<StepTo::next_failed>},
     {character('c'), "c", "to the next cancellation", "Steps", step<StepTo::next_cancellation>},
 
+    {character('p'), "p", "predict first: be asked before each test, or not", "Steps", predict_or_not},
+    {character('h'), "h", "to the question: a hit, a miss", "Steps", say<1>, asks<Asked::hit>},
+    {character('m'), "m", "", "Steps", say<0>, asks<Asked::hit>},
+    {character('+'), "+", "to the question: the sign", "Steps", say<1>, asks<Asked::sign>},
+    {character('-'), "−", "", "Steps", say<-1>, asks<Asked::sign>},
+    {character('0'), "0", "", "Steps", say<0>, asks<Asked::sign>},
+    {character('k'), "k", "skip the question", "Steps", skip, is_asked},
+
+    {character('t'), "t", "to the next of your tests that fails, and its ray (with Shift: to the one before)", "Mine",
+     next_failing_test},
+    {character('g'), "g", "back from a test's ray to the scene before", "Mine",
+     [](State& s, const Results&, const KeyPress&) { look_back(s); }},
+
     {control('z'), "Ctrl+Z", "undo a change", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.setup.undo(); }},
     {control('y'), "Ctrl+Y", "redo it", "Everything",
@@ -144,8 +184,10 @@ std::span<const KeyBinding> key_bindings() { return bindings; }
 
 void obey(const KeyPress& press, ViewerState& state, const Results& results) {
     const KeyPress meant = without_layout(press);
-    for (const KeyBinding& binding : bindings)
-        if (is_meant(binding, meant)) return binding.act(state, results, press);
+    for (const bool sometimes : {true, false})
+        for (const KeyBinding& binding : bindings)
+            if (is_meant(binding, meant) && (sometimes ? binding.when && binding.when(state, results) : !binding.when))
+                return binding.act(state, results, press);
 }
 
 }  // namespace glassbox

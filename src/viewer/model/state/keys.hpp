@@ -15,6 +15,8 @@ struct KeyBinding {
     std::string_view what;   ///< in a few words: "undo the last change"
     std::string_view group;  ///< the heading that it stands under
     void (*act)(ViewerState&, const Results&, const KeyPress&);
+    /// When it means that, before all else that it may mean; null: always.
+    bool (*when)(const ViewerState&, const Results&) = nullptr;
 };
 
 std::span<const KeyBinding> key_bindings();

@@ -67,6 +67,9 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.scene_menu = state.scene_menu;
         fresh.appearance = state.appearance;
         fresh.page = state.page;
+        fresh.side_width = state.side_width;
+        fresh.space_height = state.space_height;
+        fresh.number_form = state.number_form;
         fresh.space_shown = state.space_shown;
         fresh.box_level = state.box_level;
         fresh.overlay.measurement = state.overlay.measurement;
@@ -74,6 +77,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.beside = state.beside;
         fresh.split = state.split;
         fresh.other = state.other;
+        fresh.predicting = state.predicting;
         fresh.mine = state.mine;
         const learn::Exercise* const lesson = exercise_of(fresh.mine);
         if (lesson && shows_mine(fresh)) fresh.setup = History(for_lesson(fresh.setup.now(), *lesson));

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "explain/questions.hpp"
 #include "scene/scene.hpp"
 #include "viewer/model/state/history.hpp"
 #include "viewer/model/state/number_form.hpp"
 #include "viewer/model/state/picture_view.hpp"
 #include "viewer/model/state/setup_changes.hpp"
+#include "viewer/model/work/failing_test.hpp"
 #include "viewer/model/work/mine.hpp"
 
 namespace glassbox {
@@ -64,7 +66,7 @@ struct SceneMenu {
 };
 
 /// The pages of the panel on the right.
-enum class Page { inspector, steps, overlay, controls };
+enum class Page { inspector, steps, overlay, controls, mine };
 
 /// The space view's camera: it looks at the scene's middle from this direction.
 struct Orbit {
@@ -80,6 +82,15 @@ struct Watching {
     bool running = false;  ///< otherwise it pauses
     double shown = 0;      ///< pixels
     double pixels_per_second = 20000;
+};
+
+/// "Predict first": what is to come on the timeline is hidden until the reader has said what to expect.
+struct Predicting {
+    bool on = false;
+    Answers answers;          ///< to the questions of the pinned pixel's story
+    std::uint64_t story = 0;  ///< which story that is: Results::story_serial
+    Score here, before;       ///< of that story, and of those before it
+    std::string typed;        ///< a number of bits
 };
 
 /// Everything that the viewer's user has chosen and opened. The interface draws it, keys and scripts change it; what is
@@ -98,14 +109,16 @@ struct ViewerState {
     Overlay overlay;
     OverlayPage overlay_page;
     Beside beside = Beside::nothing;
-    double split = 0.5;  ///< where the split is, from the picture area's left (0) to its right (1)
-    Options other;       ///< what `Beside::other` is computed by: its scalar and rules count
-    MineChoice mine;     ///< what `Beside::mine` is computed by
+    double split = 0.5;                 ///< where the split is, from the picture area's left (0) to its right (1)
+    Options other;                      ///< what `Beside::other` is computed by: its scalar and rules count
+    MineChoice mine;                    ///< what `Beside::mine` is computed by
+    std::optional<LookedAt> looked_at;  ///< the test whose ray is the scene
 
     std::size_t step = 0;  ///< on the timeline of the pinned pixel
     bool playing = false;
     double steps_per_second = 4;  ///< while it plays
     double since_step = 0;        ///< how much of the way to the next step is over
+    Predicting predicting;
     Watching watching;
 
     Page page = Page::inspector;

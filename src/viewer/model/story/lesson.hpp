@@ -1,6 +1,6 @@
 #pragma once
+#include "explain/timeline.hpp"
 #include "viewer/model/story/sources.hpp"
-#include "viewer/model/story/timeline.hpp"
 
 namespace glassbox {
 

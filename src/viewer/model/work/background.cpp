@@ -4,6 +4,7 @@
 #include "viewer/model/work/mine_task.hpp"
 #include "viewer/model/work/picture_tasks.hpp"
 #include "viewer/model/work/pixel_task.hpp"
+#include "viewer/model/work/tests_task.hpp"
 #include "viewer/model/work/worker.hpp"
 
 namespace glassbox {
@@ -12,7 +13,8 @@ namespace glassbox {
 struct Background::Work {
     explicit Work(const std::function<void()>& wake) : workers(wake) {}
 
-    Workers<RenderPicture, RenderOther, DrawMine, MeasureOverlay, ExplainPinned, ExplainCompared, CountBoxes> workers;
+    Workers<RenderPicture, RenderOther, DrawMine, TestMine, MeasureOverlay, ExplainPinned, ExplainCompared, CountBoxes>
+        workers;
 };
 
 Background::Background(const std::function<void()>& wake) : work_(std::make_unique<Work>(wake)) {}

@@ -20,6 +20,10 @@ bool shows_mine(const ViewerState& state) {
     return state.beside == Beside::mine || state.beside == Beside::mine_difference;
 }
 
+bool runs_tests(const ViewerState& state) {
+    return shows_mine(state) && state.mine.is_tested && exercise_of(state.mine);
+}
+
 MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson) {
     try {
         if (!mine.workspace)

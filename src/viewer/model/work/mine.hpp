@@ -20,10 +20,15 @@ struct MineChoice {
     std::string problem;                                ///< why it is not there
     int lesson = 0;                                     ///< its number; 0: none yet
     std::uint64_t saved = 0;                            ///< how often one of its headers has changed since we watch
+    bool is_tested = false;                             ///< its tests run at each save: the page Mine was opened
+    std::string test;                                   ///< the one that is chosen there
 };
 
 /// Whether the learner's picture must be computed: it, or its difference from ours, is shown beside ours.
 bool shows_mine(const ViewerState& state);
+
+/// Whether the lesson's tests are to be run.
+bool runs_tests(const ViewerState& state);
 
 /// Returns the choice of that lesson, or of the one where the learner is. If the lessons, or that lesson, do not exist,
 /// `problem` says so.

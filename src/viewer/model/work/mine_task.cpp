@@ -1,15 +1,33 @@
 #include "viewer/model/work/mine_task.hpp"
 
+#include <atomic>
 #include <exception>
 #include <string>
 #include <utility>
 
 namespace glassbox {
 
+namespace {
+
+/// While it lives, the maker is at work.
+class AtWork {
+public:
+    explicit AtWork(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+    ~AtWork() { flag_ = false; }
+
+private:
+    std::atomic<bool>& flag_;
+};
+
+}  // namespace
+
 void DrawMine::perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver) {
     const auto tell = [&](learn::mine::PictureUpdate update) {
         deliver(std::make_shared<const learn::mine::PictureUpdate>(std::move(update)));
     };
+    const AtWork at_work(run.tools.makes_mine);
     const auto& [seen, workspace, lesson, saved] = request;
     const learn::Exercise& exercise = learn::exercise_called(*workspace, std::to_string(lesson));
     try {

@@ -37,12 +37,14 @@ struct ExplainPixel {
     static void tidy(const ViewerState& state, Results& results, bool) {
         if (state.*Pinned) return;
         results.*Told = nullptr;
-        if constexpr (has_timeline) results.timeline.clear();
+        if constexpr (has_timeline) results.timeline.clear(), results.questions.clear();
     }
     static void show(Result story, Results& results) {
         results.*Told = std::move(story);
         ++results.story_serial;
-        if constexpr (has_timeline) results.timeline = timeline(*results.story);
+        if constexpr (!has_timeline) return;
+        results.timeline = timeline(*results.story);
+        results.questions = questions(*results.story, results.timeline);
     }
 
 private:

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "explain/questions.hpp"
 #include "explain/story.hpp"
+#include "explain/timeline.hpp"
 #include "learn/picture/picture_update.hpp"
+#include "learn/told_tests.hpp"
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
-#include "viewer/model/story/timeline.hpp"
 
 namespace glassbox {
 
@@ -35,9 +37,11 @@ struct Results {
     /// The state of the learner's picture; null if it is not shown, or nothing is known yet. While it has no drawing of
     /// its own, `other` is the last drawing; otherwise `other` is that drawing.
     std::shared_ptr<const learn::mine::PictureUpdate> mine;
+    std::shared_ptr<const learn::ToldTests> tests;    ///< of the learner's code; null: they do not run
     std::shared_ptr<const MeasuredChannels> overlay;  ///< null: none
     std::shared_ptr<const Story> story;               ///< of the pinned pixel; null: none
     std::vector<Event> timeline;                      ///< of that story; empty without one
+    std::vector<Question> questions;                  ///< of that timeline
     std::shared_ptr<const Story> compared;            ///< of the second pinned pixel; null: none
     std::shared_ptr<const BoxLevels> boxes;           ///< the engine's hierarchy; null: not drawn, or not there yet
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;

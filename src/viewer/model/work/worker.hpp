@@ -22,6 +22,7 @@ struct Tools {
     std::function<void()> wake;  ///< called from other threads whenever there is something new
     KeptEngine engine = {};
     learn::mine::Maker maker = {};               ///< one thread's at a time
+    std::atomic<bool> makes_mine = {};           ///< the maker is at work
     std::atomic<std::int64_t> pixels_done = {};  ///< of the picture that is being rendered
 };
 

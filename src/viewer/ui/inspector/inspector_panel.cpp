@@ -9,6 +9,7 @@
 #include "viewer/model/story/inspector.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 #include "viewer/ui/inspector/rows.hpp"
+#include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/panels.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
 
@@ -188,6 +189,7 @@ void draw_title(const Story& story, const Palette& palette, ImU32 color, const c
 }  // namespace
 
 void draw_inspector(const Frame& frame) {
+    draw_looked_at(frame);
     const Story* const first = frame.results.story.get();
     const Story* const second = frame.results.compared.get();
     if (!first) {

@@ -21,19 +21,6 @@ std::string source_of(const PictureUpdate& update) {
     return update.error && !update.error->source.empty() ? learn::with_caret(*update.error) : "";
 }
 
-void choose_lesson(const Frame& frame) {
-    ViewerState& state = frame.state;
-    if (!state.mine.workspace) return;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Lesson");
-    for (const learn::Exercise& exercise : state.mine.workspace->exercises) {
-        const std::string label = fmt::format("{}##mine", exercise.number);
-        flow(label.c_str(), ImGui::GetStyle().ItemInnerSpacing.x);
-        if (toggle(label.c_str(), exercise.number == state.mine.lesson)) show_mine(state, exercise.number);
-        tip(exercise.title.c_str());
-    }
-}
-
 std::string how_long(const PictureUpdate& update) {
     std::string text = fmt::format("drawn in {:.2f} s", update.draw_seconds);
     if (update.compile_seconds > 0) text = fmt::format("compiled in {:.1f} s, ", update.compile_seconds) + text;
@@ -69,6 +56,19 @@ std::string mine_words(const Frame& frame) {
     const PictureUpdate& update = *frame.results.mine;
     if (!update.error || update.error->plain.empty()) return update.words;
     return update.words + "\n" + update.error->plain;
+}
+
+void draw_lesson_choice(const Frame& frame) {
+    ViewerState& state = frame.state;
+    if (!state.mine.workspace) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Lesson");
+    for (const learn::Exercise& exercise : state.mine.workspace->exercises) {
+        const std::string label = fmt::format("{}##mine", exercise.number);
+        flow(label.c_str(), ImGui::GetStyle().ItemInnerSpacing.x);
+        if (toggle(label.c_str(), exercise.number == state.mine.lesson)) show_mine(state, exercise.number);
+        tip(exercise.title.c_str());
+    }
 }
 
 std::string mine_title(const ViewerState& state) {
@@ -109,7 +109,7 @@ void draw_mine_banner(const Frame& frame, ImVec2 corner, ImVec2 size, float left
 void draw_mine_panel(const Frame& frame) {
     ViewerState& state = frame.state;
     if (!shows_mine(state)) return;
-    choose_lesson(frame);
+    draw_lesson_choice(frame);
     const auto [sign, color] = mine_sign(frame);
     const std::string words = mine_words(frame);
     const PictureUpdate* const update = frame.results.mine.get();

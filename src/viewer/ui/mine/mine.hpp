@@ -24,6 +24,14 @@ bool mine_is_old(const Frame& frame);
 /// Draws the words over the lower part of the picture area, from `left` to its right edge.
 void draw_mine_banner(const Frame& frame, ImVec2 corner, ImVec2 size, float left);
 
+/// The lessons to choose from.
+void draw_lesson_choice(const Frame& frame);
+
+/// The test whose ray is the scene, what it expected and what it got; nothing without one. For a page, and over the
+/// upper part of the picture area.
+void draw_looked_at(const Frame& frame);
+void draw_looked_at_banner(const Frame& frame, ImVec2 corner, ImVec2 size);
+
 /// The lessons to choose from, the state of the picture, and what the code printed: a part of the overlay's page.
 void draw_mine_panel(const Frame& frame);
 

@@ -287,6 +287,7 @@ void draw_picture(const Frame& frame) {
     if (state.pinned) draw_pin(canvas, *state.pinned, frame.palette.accent, "1");
     draw_split(canvas);
     draw_labels(canvas);
+    draw_looked_at_banner(frame, canvas.corner, size);
     if (shows_mine(state)) draw_mine_banner(frame, canvas.corner, size, canvas.split());
     canvas.list.PopClipRect();
     draw_file_error(frame, canvas.corner, size);

@@ -1,5 +1,5 @@
 #pragma once
-#include "viewer/model/story/timeline.hpp"
+#include "explain/timeline.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {
@@ -7,6 +7,7 @@ namespace glassbox {
 // The parts of the steps page. Those that take only a frame need a timeline that is not empty, and state.step on it.
 
 void draw_transport(const Frame& frame);                                 ///< buttons, slider and speed
+void draw_predict(const Frame& frame);                                   ///< the question, and how the last one went
 void draw_event_list(const Frame& frame, float height);                  ///< the events around the current one
 void draw_values(const Frame& frame, const Event& event);                ///< its numbers
 void draw_lesson(const Frame& frame, const Event& event, float height);  ///< the formula, as the core says it
@@ -17,12 +18,13 @@ void draw_source(const Frame& frame, const Event& event, float height);  ///< th
 void draw_watch(const Frame& frame);
 float watch_height(const Frame& frame);
 
-/// The sign of an event, and its colour: ✓ a test that passed, ✗ one that failed, ⚠ a cancellation; else "".
+/// The sign of a step, and its colour: ✓ a test that passed, ✗ one that failed, ⚠ a cancellation that is not to be
+/// guessed; else "".
 struct Sign {
     const char* text;
     ImU32 color;
 };
-Sign sign_of(const Frame& frame, const Event& event);
+Sign sign_of(const Frame& frame, std::size_t step);
 
 /// The text, or as much of it as fits, with "…" at its end.
 std::string fitting(const std::string& text, float width);

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "viewer/model/story/predicting.hpp"
+#include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/panels.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
@@ -9,8 +11,9 @@ namespace {
 
 /// The parts share the available height, but none gets too low to be read: then the page scrolls.
 void draw_timeline_page(const Frame& frame) {
-    const Event& event = frame.results.timeline[frame.state.step];
     draw_transport(frame);
+    draw_predict(frame);
+    const Event& event = frame.results.timeline[frame.state.step];
     const float line = ImGui::GetTextLineHeightWithSpacing(), room = ImGui::GetContentRegionAvail().y;
     draw_event_list(frame, std::max(6 * line, .3f * room));
     draw_values(frame, event);
@@ -24,7 +27,8 @@ void draw_timeline_page(const Frame& frame) {
 
 void draw_steps(const Frame& frame) {
     ViewerState& state = frame.state;
-    const auto& timeline = frame.results.timeline;
+    const std::span<const Event> timeline = steps_shown(state, frame.results);
+    draw_looked_at(frame);
     const float below = watch_height(frame);
     ImGui::BeginChild("timeline page", {0, std::max(ImGui::GetContentRegionAvail().y - below, ImGui::GetFontSize())});
     if (timeline.empty() || !frame.results.story) {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/model/story/predicting.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
 namespace glassbox {
@@ -32,7 +33,7 @@ void draw_event(const Frame& frame, std::size_t number) {
         frame.state.step = number;
         frame.state.playing = false;
     }
-    const Sign sign = sign_of(frame, event);
+    const Sign sign = sign_of(frame, number);
     ImGui::SameLine(left + .2f * em);
     ImGui::PushStyleColor(ImGuiCol_Text, sign.color);
     ImGui::TextUnformatted(sign.text);
@@ -67,9 +68,10 @@ void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
 
 }  // namespace
 
-Sign sign_of(const Frame& frame, const Event& event) {
+Sign sign_of(const Frame& frame, std::size_t step) {
+    const Event& event = frame.results.timeline[step];
     if (event.holds) return *event.holds ? Sign{"✓", frame.palette.passed} : Sign{"✗", frame.palette.failed};
-    if (event.cancellation) return {"⚠", frame.palette.warning};
+    if (event.cancellation && !hides_loss(frame.state, frame.results, step)) return {"⚠", frame.palette.warning};
     return {"", frame.palette.text};
 }
 
@@ -82,7 +84,7 @@ std::string fitting(const std::string& text, float width) {
 }
 
 void draw_event_list(const Frame& frame, float height) {
-    const std::vector<Row> rows = rows_of(frame.results.timeline);
+    const std::vector<Row> rows = rows_of(steps_shown(frame.state, frame.results));
     ImGui::BeginChild("events", {0, height}, true);
     follow(frame, rows, ImGui::GetWindowHeight());
     ImGuiListClipper clipper;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/story/predicting.hpp"
 #include "viewer/ui/steps/parts.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 
@@ -62,7 +63,7 @@ void buttons(const Frame& frame) {
     ViewerState& state = frame.state;
     const auto go = [&](StepTo to) {
         state.playing = false;
-        state.step = stepped(frame.results.timeline, state.step, to);
+        state.step = stepped(steps_shown(state, frame.results), state.step, to);
     };
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     if (icon_button("##first", Icon::first, "To the first step (Home)")) go(StepTo::first);
@@ -100,7 +101,7 @@ void buttons(const Frame& frame) {
 /// All events on a line: above it the failed tests, below it the cancellations.
 void slider(const Frame& frame) {
     ViewerState& state = frame.state;
-    const auto& events = frame.results.timeline;
+    const std::span<const Event> events = steps_shown(state, frame.results);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), pad = height / 3;
     ImGui::InvisibleButton("##steps", {std::max(width, 1.f), height});
@@ -121,7 +122,7 @@ void slider(const Frame& frame) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         const float x = x_of(i);
         if (events[i].failed) list.AddLine({x, from.y + thick}, {x, middle - thick}, frame.palette.failed, thick);
-        if (events[i].cancellation)
+        if (events[i].cancellation && !hides_loss(state, frame.results, i))
             list.AddLine({x, middle + thick}, {x, from.y + height - thick}, frame.palette.warning, thick);
     }
     list.AddLine({x_of(0), middle}, {from.x + pad + length, middle}, frame.palette.line, thick);
@@ -131,11 +132,14 @@ void slider(const Frame& frame) {
 }
 
 void counts(const Frame& frame) {
-    const auto& events = frame.results.timeline;
+    const std::span<const Event> events = steps_shown(frame.state, frame.results);
     const auto failed = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.failed; });
-    const auto lost = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.cancellation; });
+    auto lost = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.cancellation; });
+    if (!events.empty() && hides_loss(frame.state, frame.results, events.size() - 1)) --lost;
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("%zu of %zu", frame.state.step + 1, events.size());
+    const bool is_all = events.size() == frame.results.timeline.size();
+    ImGui::TextUnformatted(
+        fmt::format("{} of {}{}", frame.state.step + 1, events.size(), is_all ? "" : " so far").c_str());
     const auto piece = [&](const std::string& text, ImU32 color) {
         same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::PushStyleColor(ImGuiCol_Text, color);

@@ -1,5 +1,5 @@
 #pragma once
-#include "viewer/model/story/expression.hpp"
+#include "explain/expression.hpp"
 
 namespace glassbox::formula {
 

@@ -1,4 +1,4 @@
-#include "viewer/model/story/expression.hpp"
+#include "explain/expression.hpp"
 
 #include <utility>
 

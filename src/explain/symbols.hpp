@@ -12,6 +12,7 @@ struct Symbol {
     std::string result;   ///< "a = D·((C − P) × (B − P))", where the step has a name or ends a vector operation
     std::string written;  ///< how formulas that go on from it write it: "a"
     std::string formula;  ///< the one operation: "D.x × ((C − P) × (B − P)).x"
+    bool has_values = false;  ///< whether something in it was too long, and is written as its value
 };
 
 /// The symbols of all steps of a tape, found from the tape alone: three products and two sums of matching components

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "explain/story.hpp"
-#include "viewer/model/story/symbols.hpp"
+#include "explain/symbols.hpp"
 
 namespace glassbox {
 
@@ -22,13 +22,15 @@ struct Event {
     std::string group;          ///< the heading that it stands under: "surface 3, triangle"
     std::string what;           ///< in a line: "8775 = 350 × 25.07", "surface 3 is tested"
     std::string formula;        ///< of a step, in names: "a = D·((B − P) × (C − P))"
+    bool has_values = false;    ///< of a formula: Symbol::has_values
     std::optional<bool> holds;  ///< of a test: what it says
     bool failed = false;        ///< a comparison, or the test of a surface, that said no
     bool cancellation = false;  ///< a sum or difference that lost bits beyond those of its operands (is_cancellation)
-    std::optional<StepPlace> place;   ///< if it is a step
-    std::optional<StepPlace> serves;  ///< the step that it is done for: the next with a name, or outside vec3.hpp
-    std::string left, right;          ///< how a step's operands are written
-    std::string_view file, function;  ///< of what is no step: which function of the core does it, if one does
+    std::optional<std::size_t> surface;  ///< in Story::surfaces: whose test begins here, or ends with a verdict
+    std::optional<StepPlace> place;      ///< if it is a step
+    std::optional<StepPlace> serves;     ///< the step that it is done for: the next with a name, or outside vec3.hpp
+    std::string left, right;             ///< how a step's operands are written
+    std::string_view file, function;     ///< of what is no step: which function of the core does it, if one does
 };
 
 /// All events of a pixel's story, in the order in which they happened: the ray; each listed surface's test with its

@@ -1,5 +1,5 @@
 // How steps are written, from tapes made by hand: what each formula should be follows from the algebra in the comments.
-#include "viewer/model/story/symbols.hpp"
+#include "explain/symbols.hpp"
 
 #include <doctest.h>
 

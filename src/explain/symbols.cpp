@@ -1,12 +1,12 @@
-#include "viewer/model/story/symbols.hpp"
+#include "explain/symbols.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "explain/expression.hpp"
+#include "explain/rewriting.hpp"
 #include "explain/words.hpp"
-#include "viewer/model/story/expression.hpp"
-#include "viewer/model/story/rewriting.hpp"
 
 namespace glassbox {
 
@@ -71,12 +71,14 @@ constexpr std::size_t longest = 90;
 
 std::vector<Symbol> symbols(std::span<const StoryStep> steps) {
     std::vector<Expression> expressions;
+    std::vector<bool> shows_values;  // of those
     std::vector<Symbol> all;
     expressions.reserve(steps.size());
     all.reserve(steps.size());
     for (const auto& [step, name, checked] : steps) {
         if (operands(step.operation) == 0) {
             expressions.push_back(name.empty() ? formula::number(checked.value) : formula::name(name));
+            shows_values.push_back(false);
             all.push_back({"", expressions.back()->text, ""});
             continue;
         }
@@ -84,11 +86,14 @@ std::vector<Symbol> symbols(std::span<const StoryStep> steps) {
         Expression expression = rewritten(expression_of(step.operation, a, b));
         const bool ends_product = is_part_of_product(a) && !is_part_of_product(expression);
         Symbol symbol{.result = {}, .written = {}, .formula = operation_text(step.operation, a, b)};
+        symbol.has_values = shows_values[step.left] || shows_values[step.right];
+        const bool is_too_long = name.empty() && vector_of(expression)->text.size() > longest;
+        shows_values.push_back(name.empty() && (symbol.has_values || is_too_long));
         const std::string& better = ends_product ? expression->text : symbol.formula;
         if (!name.empty()) symbol.result = fmt::format("{} = {}", name, name == better ? symbol.formula : better);
         else if (ends_product) symbol.result = expression->text;
         if (!name.empty()) expression = formula::name(name);
-        else if (vector_of(expression)->text.size() > longest) expression = formula::number(checked.value);
+        else if (is_too_long) expression = formula::number(checked.value);
         symbol.written = expression->text;
         expressions.push_back(std::move(expression));
         all.push_back(std::move(symbol));

@@ -1,4 +1,4 @@
-#include "viewer/model/story/timeline.hpp"
+#include "explain/timeline.hpp"
 
 #include <fmt/format.h>
 
@@ -107,6 +107,7 @@ private:
             add(what_happens(steps, told), compares ? std::optional(told.checked.value != 0) : std::nullopt);
             Event& event = events_.back();
             event.formula = written[i].result.empty() ? written[i].formula : written[i].result;
+            event.has_values = written[i].has_values;
             event.cancellation = is_cancellation(steps, told);
             event.place = StepPlace{row, static_cast<StepNumber>(i)};
             if (served[i]) event.serves = StepPlace{row, *served[i]};
@@ -129,12 +130,14 @@ private:
         group_ = fmt::format("surface {}, {}", surface.number, word(surface.kind));
         const Function rule = rule_of(surface);
         add(group_ + ", is tested", {}, rule);
+        events_.back().surface = row;
         tell_steps(surface.steps, row, [](std::size_t) { return true; });
         const bool met = is_met(surface.fate);
         std::string verdict =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
         if (surface.needed_exact) verdict += ", decided in exact arithmetic";
         add(fmt::format("surface {}: {}", surface.number, verdict), met, rule);
+        events_.back().surface = row;
     }
 
     Function rule_of(const Surface& surface) const {

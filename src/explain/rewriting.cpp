@@ -1,4 +1,4 @@
-#include "viewer/model/story/rewriting.hpp"
+#include "explain/rewriting.hpp"
 
 #include <optional>
 #include <string>
