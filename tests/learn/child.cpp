@@ -110,6 +110,8 @@ TEST_CASE("hostile ends are told in words") {
 #endif
     CHECK(words("abort") == "it gave up (abort)");
     CHECK(words("assertion") == "it gave up (abort): vec3.hpp:12: Assertion 'i < 3' failed.");
+    CHECK(words("beyond-a-vector") == "it reached beyond the end of a vector: is an index too large?");
+    CHECK(words("empty-optional") == "it used the value of an optional that has none: ask first whether there is one");
     CHECK(words("exit") == "it called exit(0) before its work was done");
     CHECK(words("exception") == "it threw an exception that nobody caught: h is not a unit vector");
     CHECK(words("number") == "it threw an exception that nobody caught: the number 42");

@@ -298,6 +298,14 @@ TEST_CASE_TEMPLATE("a miss leaves the best hit as it is, and no hits at all stay
     REQUIRE(best);
     CHECK(best->surface == 0);
     CHECK_EXACT(best->t, Real(3));
+    // at whatever t it is missed: that of what lies behind the start is below 0
+    for (const Real t : {Real(-6), Real(1), Real(8)}) {
+        const Crossing<Real> missed{false, t};
+        CHECK_FALSE(nearest(Best{}, 0, missed));
+        const Best still = nearest(nearest(Best{}, 0, hit), 1, missed);
+        REQUIRE(still);
+        CHECK(still->surface == 0);
+    }
 }
 
 TEST_CASE_TEMPLATE("quadratic: a = D.D, b = v.D, c = v.v - r^2, v from the centre to the start", Real, EVERY_SCALAR) {

@@ -230,6 +230,8 @@ TEST_CASE_TEMPLATE("plane_t: with the triangle in the plane z = 8 a ray along z 
     CHECK_EXACT(plane_t(Vec3<Real>{0, 0, 1}, seen, Sides<Real>{-2, -1, -1}), Real(8));
     CHECK_EXACT(plane_t(Vec3<Real>{0, 0, 2}, seen, Sides<Real>{1, 2, 1}), Real(4));
     CHECK_EXACT(plane_t(Vec3<Real>{0, 0, -2}, seen, Sides<Real>{1, 2, 1}), Real(-4));
+    // 8 / (1/3): 1/3 is rounded, and each product, sum and quotient after it
+    CHECK_ULPS(plane_t(Vec3<Real>{0, 0, Real(1) / 3}, seen, Sides<Real>{1, 1, 1}), Real(24), 8);
 }
 
 TEST_CASE_TEMPLATE("plane_t: each weight pulls towards its own vertex", Real, EVERY_SCALAR) {

@@ -122,6 +122,9 @@ TEST_CASE("a sum of exact numbers is off by its rounding alone") {
     const Bounded small = Bounded(0x1p40 + 1) + Bounded(-0x1p40);
     CHECK_EXACT(small.value, 1.0);
     CHECK_AT_MOST(small.error, u * (1 + nearly));
+    // The double 0.1 is 0x1.999999999999ap-4, and 0.2 twice that. Their sum, thrice that, is 0x1.33333333333338p-2, the
+    // middle between two doubles that are 2⁻⁵⁴ apart.
+    for (const double sign : {1.0, -1.0}) CHECK_AT_LEAST((Bounded(sign * 0.1) + Bounded(sign * 0.2)).error, 0x1p-55);
 }
 
 TEST_CASE("the error of a sum is itself rounded upwards") {
@@ -142,6 +145,16 @@ TEST_CASE("a product's error: each error times the other factor, and both errors
         CHECK_WITHIN(product.error, most, nearly);
         CHECK_WITHIN((Bounded(5, 0.5) * Bounded(sign * 3, 0.25)).error, most, nearly);
     }
+    // (3 ± 1/4)(1/2 ± 1/8) is at most 3.25 · 0.625 = 2.03125, which is 0.53125 = 3/8 + 1/8 + 1/32 away from 1.5
+    CHECK_WITHIN((Bounded(3, 0.25) * Bounded(0.5, 0.125)).error, 0.53125 + 1.5 * u, nearly);
+    CHECK_WITHIN((Bounded(0.5, 0.125) * Bounded(3, 0.25)).error, 0.53125 + 1.5 * u, nearly);
+}
+
+TEST_CASE("a product's error is itself rounded upwards") {
+    // (1 ± 2⁵³)(1 ± 1) is at most (1 + 2⁵³) · 2 = 2⁵⁴ + 2, which is 2⁵⁴ + 1 away from 1
+    const Bounded product = Bounded(1, 0x1p53) * Bounded(1, 1);
+    CHECK_AT_LEAST(product.error, 0x1p54 + 4);  // the double above 2⁵⁴ + 1
+    CHECK_AT_MOST(product.error, 0x1p54 * (1 + nearly));
 }
 
 TEST_CASE("a product of exact numbers is off by its rounding alone") {
@@ -161,6 +174,7 @@ TEST_CASE("a product that underflows is not exactly 0; one with an exact 0 is") 
     CHECK_AT_MOST(tiny.error, 0x1p-1000);
     // 0 times anything is 0, however little is known of the other factor
     CHECK_EXACT((Bounded(0) * Bounded(5, 1)).error, 0.0);
+    CHECK_EXACT((Bounded(0) * Bounded(0)).error, 0.0);
     CHECK_EXACT((Bounded(5, infinity) * Bounded(0)).error, 0.0);
     CHECK_EXACT((Bounded(5, infinity) * Bounded(0)).value, 0.0);
 }
@@ -175,6 +189,13 @@ TEST_CASE("less is sure where the intervals lie apart, undecided where they over
     CHECK_EXACT(said(Bounded(1, 0.5) < Bounded(2, 0.5)), Said{"undecided"});  // both may be 1.5
     CHECK_EXACT(said(Bounded(-1, 0.25) < Bounded(0)), Said{"yes"});           // a sign
     CHECK_EXACT(said(Bounded(1, 0.25) < Bounded(0)), Said{"no"});
+    // just apart: at most 1, and 1 + 2⁻³⁰
+    CHECK_EXACT(said(Bounded(0, 1) < Bounded(1 + 0x1p-30)), Said{"yes"});
+    CHECK_EXACT(said(Bounded(1 + 0x1p-30) < Bounded(0, 1)), Said{"no"});
+    // however small the numbers are
+    CHECK_EXACT(said(Bounded(0, 0x1p-210) < Bounded(0x1p-200)), Said{"yes"});
+    CHECK_EXACT(said(Bounded(0x1p-200) < Bounded(0, 0x1p-210)), Said{"no"});
+    CHECK_EXACT(said(Bounded(0, 0x1p-1074) < Bounded(0x1p-1074)), Said{"undecided"});  // both may be 2⁻¹⁰⁷⁴
 }
 
 TEST_CASE("either of the two errors can make less undecided") {
@@ -187,6 +208,7 @@ TEST_CASE("either of the two errors can make less undecided") {
 TEST_CASE("exact numbers are always decided") {
     CHECK_EXACT(said(Bounded(1) < Bounded(1)), Said{"no"});
     CHECK_EXACT(said(Bounded(1) <= Bounded(1)), Said{"yes"});
+    CHECK_EXACT(said(Bounded(2) < Bounded(1)), Said{"no"});
     CHECK_EXACT(said(Bounded(1) < Bounded(1 + 0x1p-52)), Said{"yes"});  // the next double
     CHECK_EXACT(said(Bounded(0) < Bounded(0x1p-1074)), Said{"yes"});
 }
@@ -196,6 +218,8 @@ TEST_CASE("of numbers lost to overflow nothing is decided") {
     CHECK_EXACT(said(Bounded(1) < overflow), Said{"undecided"});
     CHECK_EXACT(said(overflow < Bounded(1)), Said{"undecided"});
     CHECK_EXACT(said(Bounded(infinity) < Bounded(1)), Said{"undecided"});
+    CHECK_EXACT(said(Bounded(1) < Bounded(infinity)), Said{"undecided"});
+    CHECK_EXACT(said(Bounded(-infinity) < Bounded(infinity)), Said{"undecided"});
     CHECK_EXACT(said(overflow - overflow < Bounded(1)), Said{"undecided"});  // not a number
     CHECK_EXACT(said(Bounded(0, infinity) < Bounded(1)), Said{"undecided"});
 }
@@ -312,4 +336,35 @@ TEST_CASE("where numbers overflow or underflow the filter decides nothing: its b
     CHECK_EXACT(error_for({{0, 0, 0}, {0x1p600, 0, 0}}, triangle), infinity);
     CHECK_AT_MOST(error_for(ray, times(0x1p-30)), 16 * u * 35 * 0x1p-60);  // and where they are just small, it is not
     CHECK_AT_MOST(error_for(ray, times(0x1p30)), 16 * u * 35 * 0x1p60);
+}
+
+TEST_CASE("from a coordinate of 2¹⁰⁰ on the filter decides nothing, whichever point has it") {
+    for (std::size_t which = 0; which < 4; ++which) {  // A, B, C, and the ray's start
+        CAPTURE(which);
+        const auto error = [&](double coordinate) {
+            std::array<Vec3<double>, 4> points{{{3, 0, 0}, {0, 5, 0}, {0, 0, 7}, {0, 0, 0}}};
+            points[which].y = coordinate;
+            const auto& [A, B, C, P] = points;
+            return error_for({P, {1, 1, 1}}, {A, B, C});
+        };
+        CHECK_EXACT(error(0x1p100), infinity);
+        CHECK_EXACT(error(-0x1p200), infinity);
+        // Just below it does: the sides' sizes are some tens times 2¹⁰⁰, or times its square, and 9u is under 2⁻⁴⁹.
+        CHECK_AT_MOST(error(std::nextafter(0x1p100, 0.0)), 0x1p200);
+    }
+    // nor where two are too large: 2²⁰⁰ and a direction of 2⁶⁰⁰
+    const double large = 0x1p200, larger = 0x1p600;
+    CHECK_EXACT(error_for({{0, 0, 0}, {larger, larger, larger}}, {{large, 0, 0}, {0, large, 0}, {0, 0, large}}),
+                infinity);
+    // nor where one is too large and all sides are 0, as of a triangle whose corners lie on one line with the start
+    CHECK_EXACT(error_for({{0, 0, 0}, {1, 1, 1}}, {{large, 0, 0}, {1, 0, 0}, {2, 0, 0}}), infinity);
+}
+
+TEST_CASE("down to a size of 2⁻⁹⁰⁰ the filter decides nothing") {
+    // From the origin along (d, d, d), with A = (s, 0, 0), B = (0, s, 0), C = (0, 0, s): each side's size is d s².
+    const auto error = [](double d, double s) {
+        return error_for({{0, 0, 0}, {d, d, d}}, {{s, 0, 0}, {0, s, 0}, {0, 0, s}});
+    };
+    CHECK_EXACT(error(1, 0x1p-450), infinity);
+    CHECK_AT_MOST(error(2, 0x1p-450), 16 * u * 0x1p-899);  // twice as large it does
 }

@@ -40,6 +40,10 @@ TEST_CASE_TEMPLATE("slab: it is entered where the ray crosses lo, and left where
     const Interval<Real> t = engine::slab<Real>(2, 6, -2, 1 / Real(2));
     CHECK_EXACT(t.enters, Real(2));
     CHECK_EXACT(t.leaves, Real(4));
+    // x = -2 + 3t: 2 at t = 4/3, 6 at t = 8/3; 1/3 is rounded, and the product
+    const Interval<Real> thirds = engine::slab<Real>(2, 6, -2, 1 / Real(3));
+    CHECK_ULPS(thirds.enters, Real(4) / 3, 2);
+    CHECK_ULPS(thirds.leaves, Real(8) / 3, 2);
 }
 
 TEST_CASE_TEMPLATE("slab: a ray that runs the other way enters at hi and leaves at lo", Real, EVERY_SCALAR) {
@@ -108,6 +112,13 @@ TEST_CASE_TEMPLATE("through: the ray is in the box from the last entry to the fi
         CHECK_EXACT(t.enters, Real(2));
         CHECK_WITHIN(t.leaves, Real(4), 4 * a_little<Real>);
     }
+}
+
+TEST_CASE_TEMPLATE("through: t is rounded a few times, where it is no whole number", Real, EVERY_SCALAR) {
+    // With D = (3, 3, 3) all slabs are entered at t = 2/3 and left at t = 4/3.
+    const Interval<Real> t = through<Real>(box({2, 2, 2}, {4, 4, 4}), {{0, 0, 0}, {3, 3, 3}});
+    CHECK_ULPS(t.enters, Real(2) / 3, 2);
+    CHECK_WITHIN(t.leaves, Real(4) / 3, 2 * a_little<Real>);
 }
 
 TEST_CASE_TEMPLATE("through: a box is missed if one slab is left before another is entered", Real, EVERY_SCALAR) {
@@ -232,6 +243,9 @@ TEST_CASE("best_cut: two boxes have one cut; of equally good cuts it is the firs
     const std::vector<Box> two{cube_at(0), cube_at(5)};
     CHECK_COUNT(engine::best_cut(two).left, 1);
     CHECK_EXACT(engine::best_cut(two).cost, 6.0f);
+    // a cube of side 1/2 has half an area of 3/4
+    const std::vector<Box> small(2, box({0, 0, 0}, {0.5f, 0.5f, 0.5f}));
+    CHECK_EXACT(engine::best_cut(small).cost, 1.5f);
     // 3 + 2 * 5 and 2 * 5 + 3
     const std::vector<Box> three{cube_at(0), cube_at(1), cube_at(2)};
     CHECK_COUNT(engine::best_cut(three).left, 1);
@@ -310,6 +324,7 @@ TEST_CASE_TEMPLATE("is_beyond: a box that begins at the hit, or as near as round
     CHECK_FALSE(engine::is_beyond(Real(4), best));
     // An entry at 4 that was rounded three times may come out as this.
     CHECK_FALSE(engine::is_beyond(4 + 4 * epsilon<Real>, best));
+    CHECK_FALSE(engine::is_beyond(4 * (1 + 4 * epsilon<Real>), best));  // widened · 4 itself
 }
 
 // walk
@@ -387,6 +402,21 @@ TEST_CASE_TEMPLATE("walk: of a row it finds the first, from the left and from th
 TEST_CASE_TEMPLATE("walk: it looks into the nearer half first, wherever the ray comes from", Real, EVERY_SCALAR) {
     CHECK_COUNT(walk<Real>(row(), rightwards<Real>, {0, 0, 0, 0}).first, 0);
     CHECK_COUNT(walk<Real>(row(), leftwards<Real>, {0, 0, 0, 0}).first, 3);
+}
+
+TEST_CASE_TEMPLATE("walk: the half that is entered first comes first, where one lies in the other, too", Real,
+                   EVERY_SCALAR) {
+    // From x = -1 along x: what begins first is entered first. The box around both begins before either.
+    const auto first_of = [](const Box& one, const Box& other) {
+        const Tree tree{{halves(box({0, 0, 0}, {20, 1, 1}), 1), leaf(one, 0), leaf(other, 1)}, {0, 1}};
+        return walk<Real>(tree, rightwards<Real>, {0, 0}).first;
+    };
+    const Box wide = box({1, 0, 0}, {9, 1, 1}), within = box({2, 0, 0}, {8, 1, 1}),
+              behind = box({12, 0, 0}, {14, 1, 1});
+    CHECK_COUNT(first_of(wide, within), 0);
+    CHECK_COUNT(first_of(within, wide), 1);
+    CHECK_COUNT(first_of(within, behind), 0);
+    CHECK_COUNT(first_of(behind, within), 1);
 }
 
 TEST_CASE_TEMPLATE("walk: it does not look behind a hit", Real, EVERY_SCALAR) {

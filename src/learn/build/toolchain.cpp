@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_kept = 3;  // toolchains; each takes some tens of megabytes
 
-/// -O0 compiles fastest; a function without a return would only crash, so it is an error.
+/// -O0 compiles fastest; a function without a return would only crash, so it is an error. With assertions a program
+/// that reads beyond the end of a vector, or a hit where there is none, ends: without, its tests might pass.
 const std::vector<std::string> test_flags{"-O0", "-g0", "-D_GLIBCXX_ASSERTIONS", "-Werror=return-type"};
 
 /// What is compiled once: the tests' main() with what they share, and the main() of a lesson's program.

@@ -27,6 +27,15 @@ std::string last_line(std::string_view text) {
 
 std::string after_colon(const std::string& line) { return line.empty() ? "" : ": " + line; }
 
+/// How a program gave up. Of g++'s standard library it tells what the checks mean that learners meet.
+std::string abort_words(const std::string& line) {
+    if (line.find("Assertion '__n < this->size()'") != std::string::npos)
+        return "it reached beyond the end of a vector: is an index too large?";
+    if (line.find("Assertion 'this->_M_is_engaged()'") != std::string::npos)
+        return "it used the value of an optional that has none: ask first whether there is one";
+    return "it gave up (abort)" + after_colon(line);
+}
+
 std::string bad_memory(const LastWords& words) {
     if (words.kind != LastWords::crashed)
         return "it touched memory that is not its own: a pointer or an index gone astray?";
@@ -55,7 +64,7 @@ std::string crash(const Outcome& outcome) {
         case SIGTRAP:
             return "it came to a place that it must never come to: does a function end without return?";
         case SIGABRT:
-            return "it gave up (abort)" + after_colon(last_line(outcome.errors));
+            return abort_words(last_line(outcome.errors));
         case SIGXFSZ:
             return fmt::format("it wrote a file of more than {}", in_mebibytes(outcome.limits.file));
         default:
