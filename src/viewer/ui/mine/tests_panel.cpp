@@ -222,7 +222,7 @@ void draw_looked_at_banner(const Frame& frame, ImVec2 corner, ImVec2 size) {
     for (const auto& [name, value] : looked_at_rows(frame)) text += fmt::format("\n{}  {}", name, value);
     const float font = ImGui::GetFontSize(), pad = font / 2;
     const std::string lines = wrapped(text, size.x - 3 * pad);
-    const ImVec2 extent = ImGui::CalcTextSize(lines.c_str()), from{corner.x + pad / 2, corner.y + 2 * font};
+    const ImVec2 extent = ImGui::CalcTextSize(lines.c_str()), from{corner.x + pad / 2, corner.y + 3.3f * font};
     const ImVec2 to{from.x + extent.x + 2 * pad, from.y + extent.y + pad};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_PopupBg), pad / 2);
