@@ -215,4 +215,10 @@ TEST_CASE("what would be too long is written as its value") {
     CHECK(steps.written(fits).size() == 90);
     CHECK(steps.written(too_long) == "1");
     CHECK(steps.at(too_long).formula == std::string(45, 'a') + " × " + std::string(45, 'c'));
+    // What goes on from there shows the value, and what goes on from that, until it has a name.
+    const StepNumber next = steps.plus(too_long, a), named = steps.step(Operation::add, next, b, "n");
+    CHECK_FALSE(steps.at(too_long).has_values);
+    CHECK(steps.at(next).has_values);
+    CHECK(steps.at(named).has_values);
+    CHECK_FALSE(steps.at(steps.plus(named, a)).has_values);
 }

@@ -1,6 +1,5 @@
 #include "viewer/model/work/mine_task.hpp"
 
-#include <atomic>
 #include <exception>
 #include <string>
 #include <utility>
@@ -9,16 +8,17 @@ namespace glassbox {
 
 namespace {
 
-/// While it lives, the maker is at work.
+/// At its end, what the maker had been asked for at its beginning is done.
 class AtWork {
 public:
-    explicit AtWork(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
+    explicit AtWork(Tools& tools) : tools_(tools), asked_(tools.mine_asked) {}
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
-    ~AtWork() { flag_ = false; }
+    ~AtWork() { tools_.mine_made = asked_; }
 
 private:
-    std::atomic<bool>& flag_;
+    Tools& tools_;
+    int asked_;
 };
 
 }  // namespace
@@ -27,7 +27,7 @@ void DrawMine::perform(const Request& request, const Run& run, const std::functi
     const auto tell = [&](learn::mine::PictureUpdate update) {
         deliver(std::make_shared<const learn::mine::PictureUpdate>(std::move(update)));
     };
-    const AtWork at_work(run.tools.makes_mine);
+    const AtWork at_work(run.tools);
     const auto& [seen, workspace, lesson, saved] = request;
     const learn::Exercise& exercise = learn::exercise_called(*workspace, std::to_string(lesson));
     try {

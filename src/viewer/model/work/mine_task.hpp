@@ -25,6 +25,7 @@ struct DrawMine {
         if (!shows_mine(state) || !exercise_of(state.mine)) return {};
         return Request{picture_request(state), state.mine.workspace, state.mine.lesson, state.mine.saved};
     }
+    static void announce(Tools& tools) { ++tools.mine_asked; }
     static void perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver);
     static void tidy(const ViewerState& state, Results& results, bool is_new);
     static void show(Result update, Results& results);

@@ -13,9 +13,9 @@ namespace {
 
 /// Lets the picture come first: two compilers at a time would make both late.
 void wait_for_picture(const Run& run) {
-    constexpr std::chrono::milliseconds a_moment{20};  // in which it begins
-    do std::this_thread::sleep_for(a_moment);
-    while (run.tools.makes_mine && !run.stop.stop_requested());
+    constexpr std::chrono::milliseconds a_moment{10};
+    const int asked = run.tools.mine_asked;
+    while (run.tools.mine_made < asked && !run.stop.stop_requested()) std::this_thread::sleep_for(a_moment);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct Tools {
     std::function<void()> wake;  ///< called from other threads whenever there is something new
     KeptEngine engine = {};
     learn::mine::Maker maker = {};               ///< one thread's at a time
-    std::atomic<bool> makes_mine = {};           ///< the maker is at work
+    std::atomic<int> mine_asked = {};            ///< how often the maker was asked for a picture
+    std::atomic<int> mine_made = {};             ///< up to which of them it is done
     std::atomic<std::int64_t> pixels_done = {};  ///< of the picture that is being rendered
 };
 
@@ -38,6 +39,7 @@ struct Run {
 ///   Request, Result: types; requests can be compared
 ///   wanted(state): the request that the state makes, perhaps none
 ///   goes_on(before, now): whether what comes of the one request is still worth showing for the other; without it, not
+///   announce(tools): called as it is asked, before the thread knows; not needed
 ///   perform(request, run, deliver): in the thread; delivers results, each better than the one before
 ///   tidy(state, results, is_new): takes away what does not belong to the state, whose request may be new; not needed
 ///   show(result, results)
@@ -76,6 +78,7 @@ private:
     }
 
     void start(const Request& wanted, bool goes_on) {
+        if constexpr (requires { &Task::announce; }) Task::announce(tools_);
         auto work = [this, wanted](const std::stop_token& stop, const auto& deliver) {
             Task::perform(wanted, Run{tools_, pace_, stop}, deliver);
         };

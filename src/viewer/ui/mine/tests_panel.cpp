@@ -73,7 +73,7 @@ void draw_rows(const Frame& frame, const char* id, std::span<const ToldRow> rows
 
 void draw_paragraphs(const Frame& frame, const std::vector<ToldRow>& paragraphs) {
     for (const auto& [heading, text] : paragraphs) {
-        text_in(frame.palette.accent, heading);
+        if (!heading.empty()) text_in(frame.palette.accent, heading);
         draw_wrapped(text);
     }
 }
@@ -106,10 +106,10 @@ void draw_function(const Frame& frame, const ToldFunction& function) {
     text_in(frame.palette.faint_text, fmt::format("waits for `{}`", function.waits_for));
 }
 
-/// Whether another test was chosen in the last frame: then it is scrolled to.
-bool is_newly_chosen(const std::string& test) {
+/// Whether it is not the text that was shown here in the last frame: then it is scrolled to.
+bool is_newly_shown(const std::string& text) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
-    const ImGuiID key = ImGui::GetID("chosen"), now = ImGui::GetID(test.c_str());
+    const ImGuiID key = ImGui::GetID("shown"), now = ImGui::GetID(text.c_str());
     const bool is_new = storage->GetInt(key) != static_cast<int>(now);
     storage->SetInt(key, static_cast<int>(now));
     return is_new;
@@ -117,7 +117,7 @@ bool is_newly_chosen(const std::string& test) {
 
 void draw_list(const Frame& frame, const ToldTests& tests, float height) {
     ImGui::BeginChild("tests", {0, height}, true);
-    const bool scrolls = is_newly_chosen(frame.state.mine.test);
+    const bool scrolls = is_newly_shown(frame.state.mine.test);
     for (const ToldFunction& function : tests.functions) {
         ImGui::PushID(function.name.c_str());
         draw_function(frame, function);
@@ -153,19 +153,32 @@ void draw_details(const Frame& frame, const ToldTests& tests, const ToldCase& te
     if (test.name == tests.first) draw_paragraphs(frame, tests.about_first);
 }
 
+/// The line that does not compile; its marked column is in sight.
+void draw_source(const Frame& frame, const learn::CompileError& error) {
+    if (error.source.empty()) return;
+    ImGui::PushFont(frame.fonts.mono);
+    ImGui::BeginChild("source line", {0, 3 * ImGui::GetTextLineHeightWithSpacing()}, false,
+                      ImGuiWindowFlags_HorizontalScrollbar);
+    const std::string lines = learn::with_caret(error);
+    ImGui::TextUnformatted(lines.c_str());
+    const float column = static_cast<float>(error.place.column) * ImGui::CalcTextSize(" ").x;
+    if (is_newly_shown(fmt::format("{} {}", ImGui::GetFontSize(), lines)))
+        ImGui::SetScrollX(std::max(0.f, column - .7f * ImGui::GetWindowWidth()));
+    ImGui::EndChild();
+    ImGui::PopFont();
+}
+
 void draw_tests(const Frame& frame, const ToldTests& tests) {
     const auto [sign, color] = sign_of(frame, tests);
-    draw_wrapped(color, fmt::format("{} {}", sign, tests.words));
-    if (tests.error && !tests.error->source.empty()) {
-        ImGui::PushFont(frame.fonts.mono);
-        ImGui::TextUnformatted(learn::with_caret(*tests.error).c_str());
-        ImGui::PopFont();
-    }
-    draw_rows(frame, "error", tests.rows);
+    ImGui::PushTextWrapPos(0);  // breaks a path, too, if it is longer than a line
+    text_in(color, fmt::format("{} {}", sign, tests.words));
+    ImGui::PopTextWrapPos();
+    if (tests.error) draw_source(frame, *tests.error);
+    draw_paragraphs(frame, tests.rows);
     if (tests.functions.empty()) return;
     const float room = ImGui::GetContentRegionAvail().y, line = ImGui::GetTextLineHeightWithSpacing();
-    const std::string chosen = frame.state.mine.test.empty() ? tests.first : frame.state.mine.test;
-    const ToldCase* const test = find_case(tests, chosen);
+    const ToldCase* const chosen = find_case(tests, frame.state.mine.test);
+    const ToldCase* const test = chosen ? chosen : find_case(tests, tests.first);
     draw_list(frame, tests, test ? std::max(6 * line, .5f * room) : std::max(6 * line, room));
     if (!test) return;
     ImGui::BeginChild("details");
@@ -209,7 +222,7 @@ void draw_looked_at_banner(const Frame& frame, ImVec2 corner, ImVec2 size) {
     for (const auto& [name, value] : looked_at_rows(frame)) text += fmt::format("\n{}  {}", name, value);
     const float font = ImGui::GetFontSize(), pad = font / 2;
     const std::string lines = wrapped(text, size.x - 3 * pad);
-    const ImVec2 extent = ImGui::CalcTextSize(lines.c_str()), from{corner.x + pad / 2, corner.y + 2 * font};
+    const ImVec2 extent = ImGui::CalcTextSize(lines.c_str()), from{corner.x + pad / 2, corner.y + 3.3f * font};
     const ImVec2 to{from.x + extent.x + 2 * pad, from.y + extent.y + pad};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_PopupBg), pad / 2);
