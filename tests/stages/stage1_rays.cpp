@@ -101,6 +101,12 @@ TEST_CASE_TEMPLATE("|a| by Pythagoras, exact where the answer is a whole number"
     CHECK_EXACT(length(Vec3<Real>{}), Real(0));
 }
 
+TEST_CASE_TEMPLATE("|a| by Pythagoras, in all of its digits where the answer is no whole number", Real, EVERY_SCALAR) {
+    CHECK_ULPS(length(Vec3<Real>{1, 1, 1}), std::sqrt(Real(3)), 1);
+    // 0.01 + 0.04 + 0.04 = 0.09. A tenth is rounded, each square once more, and so are two sums and the root.
+    CHECK_ULPS(length(Vec3<Real>{Real(1) / 10, Real(2) / 10, Real(2) / 10}), Real(3) / 10, 4);
+}
+
 TEST_CASE_TEMPLATE("unit(a) has length 1 and the direction of a, whatever a's size", Real, EVERY_SCALAR) {
     Dice dice;
     for (const Real size : sizes<Real>) {
@@ -181,6 +187,8 @@ TEST_CASE_TEMPLATE("the paper's plane: the ray of column j and row i starts at (
             CHECK_EXACT(ray.D, (Vec3<Real>{-1, 0, 0}));
         }
     }
+    // as long as the view's direction is, which need not be 1
+    CHECK_EXACT(pixel_ray(Parallel<Real>{view.plane, {-2, 0, 0}}, 3, 5).D, (Vec3<Real>{-2, 0, 0}));
     // between pixels, too: a pixel's top-right corner lies half a step from its middle
     CHECK_EXACT(point(view.plane, Real(2.5), Real(7.5)), (Vec3<Real>{500, Real(2.5), Real(7.5)}));
 }
@@ -188,6 +196,13 @@ TEST_CASE_TEMPLATE("the paper's plane: the ray of column j and row i starts at (
 TEST_CASE_TEMPLATE("columns count along right, rows along up, from the corner", Real, EVERY_SCALAR) {
     // corner + 3 right + 5 up = (1 + 3*2 + 5*0, 2 + 3*1 + 5*4, 3 + 3*0 - 5*1) = (7, 25, -2)
     CHECK_EXACT(point(ViewingPlane<Real>{{1, 2, 3}, {2, 1, 0}, {0, 4, -1}}, 3, 5), (Vec3<Real>{7, 25, -2}));
+}
+
+TEST_CASE_TEMPLATE("a pinhole's ray runs from the eye to its pixel", Real, EVERY_SCALAR) {
+    // pixel (3, 5) is (500, 3, 5), and (500, 3, 5) - (1000, 250, 250) = (-500, -247, -245)
+    const Ray<Real> ray = pixel_ray(Pinhole<Real>{{{500, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1000, 250, 250}}, 3, 5);
+    CHECK_EXACT(ray.P, (Vec3<Real>{1000, 250, 250}));
+    CHECK_EXACT(ray.D, (Vec3<Real>{-500, -247, -245}));
 }
 
 TEST_CASE_TEMPLATE("every ray of a pinhole starts in the eye and crosses the plane at t = 1", Real, EVERY_SCALAR) {

@@ -155,6 +155,17 @@ TEST_CASE_TEMPLATE("seen from P, a triangle is where P is the origin", Real, EVE
     CHECK_EXACT(seen.C, (Vec3<Real>{-8, -5, -14}));
 }
 
+TEST_CASE_TEMPLATE("sides: a is with the edge BC, b with CA, c with AB, each run this way", Real, EVERY_SCALAR) {
+    // (0, 0, 0), (6, 0, 0), (0, 6, 0), seen from (1, 2, 1), and D straight down. A side D.(B x A) is here minus the z
+    // of the cross product, B.y*A.x - B.x*A.y:
+    //   a = C.y*B.x - C.x*B.y = 4*5 - (-1)*(-2) = 18,  b = A.y*C.x - A.x*C.y = (-2)*(-1) - (-1)*4 = 6,
+    //   c = B.y*A.x - B.x*A.y = (-2)*(-1) - 5*(-2) = 12
+    const Sides<Real> s = sides(Vec3<Real>{0, 0, -1}, Triangle<Real>{{-1, -2, -1}, {5, -2, -1}, {-1, 4, -1}});
+    CHECK_EXACT(s.a, Real(18));
+    CHECK_EXACT(s.b, Real(6));
+    CHECK_EXACT(s.c, Real(12));
+}
+
 TEST_CASE_TEMPLATE("each side is the weight of the vertex opposite: at a vertex its own alone is not 0", Real,
                    EVERY_SCALAR) {
     // All numbers are whole and below 2^24, so the zeros are exact.
@@ -244,7 +255,20 @@ TEST_CASE_TEMPLATE("plane_t: each weight pulls towards its own vertex", Real, EV
     CHECK_EXACT(plane_t(D, seen, Sides<Real>{0, 0, 5}), Real(8));
 }
 
-TEST_CASE_TEMPLATE("plane_t: of the point with weights 1, 2, 3, by the sides of its own ray", Real, EVERY_SCALAR) {
+TEST_CASE_TEMPLATE("plane_t: D.A is divided by D.D before it is multiplied by a, and large numbers stay numbers", Real,
+                   EVERY_SCALAR) {
+    // In double, corners of size 1e48 and a D of 1e96: the weights are of size 1e192, D.A is 1e145, and their product
+    // is too large for a double. D.A / D.D is 1e-48, though, and times a weight 1e145. The triangle is at z = 8, as
+    // above.
+    const int power = std::numeric_limits<Real>::max_exponent / 32 * 5;
+    const Real size = std::ldexp(Real(1), power), long_D = size * size;
+    const Triangle<Real> seen = scaled(size, Triangle<Real>{{-1, -1, 8}, {3, -1, 8}, {-1, 3, 8}});
+    const Real weight = long_D * size * size;
+    CHECK_EXACT(plane_t(Vec3<Real>{0, 0, long_D}, seen, Sides<Real>{weight, 2 * weight, weight}), 8 / size);
+}
+
+TEST_CASE_TEMPLATE("by the sides of its own ray, plane_t of the point with weights 1, 2, 3 is 1/6", Real,
+                   EVERY_SCALAR) {
     // D is 6 times the way to the point: t = 1/6, after one division and a few sums
     const Vec3<Real> D = towards_weights<Real>(1, 2, 3);
     const Sides<Real> weights = sides_towards<Real>(1, 2, 3);

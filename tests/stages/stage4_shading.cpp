@@ -62,6 +62,8 @@ TEST_CASE_TEMPLATE("the half vector lies midway, with length 1; between opposite
     CHECK_EXACT(halfway(up<Real>, up<Real>), up<Real>);
     CHECK_EXACT(halfway(slanted<Real>, mirrored<Real>), up<Real>);
     CHECK_EXACT(halfway(slanted<Real>, -slanted<Real>), Vec3<Real>{});
+    // nearly opposite, 2^-30 of their length apart: the sum is (0, 2^-30, 0), short but not 0
+    CHECK_EXACT(halfway(Vec3<Real>{1, 0, 0}, Vec3<Real>{-1, Real(0x1p-30), 0}), (Vec3<Real>{0, 1, 0}));
     Dice dice;
     for (int n = 0; n < 200; ++n) {
         const Vec3<Real> a = unit(dice.vector(Real(1))), b = unit(dice.vector(Real(1)));
@@ -80,11 +82,14 @@ TEST_CASE_TEMPLATE("a normal is turned to the side that the viewer sees", Real, 
     CHECK_EXACT(towards(Vec3<Real>{1, 0, 0}, up<Real>), up<Real>);         // seen from the side: as it is
 }
 
-TEST_CASE_TEMPLATE("diffuse: I k_d max(0, n.l)", Real, EVERY_SCALAR) {
+TEST_CASE_TEMPLATE("diffuse: I k_d n.l, from before the surface", Real, EVERY_SCALAR) {
     CHECK_EXACT(diffuse(Real(1), Real(1), Real(0.75)), Real(0.75));
     CHECK_EXACT(diffuse(Real(0.5), Real(1), Real(0.75)), Real(0.375));
     CHECK_EXACT(diffuse(Real(0.5), Real(0.25), Real(0.75)), Real(0.09375));
-    CHECK_EXACT(diffuse(Real(1), Real(1), Real(-0.75)), Real(0));  // light from behind
+}
+
+TEST_CASE_TEMPLATE("diffuse cuts: light from behind is none, and what is not a number, too", Real, EVERY_SCALAR) {
+    CHECK_EXACT(diffuse(Real(1), Real(1), Real(-0.75)), Real(0));
     CHECK_EXACT(diffuse(Real(1), Real(1), std::numeric_limits<Real>::quiet_NaN()), Real(0));
 }
 
@@ -102,11 +107,15 @@ TEST_CASE_TEMPLATE("reflected: the mirror keeps what is along n and turns what i
     }
 }
 
-TEST_CASE_TEMPLATE("specular: I k_s max(0, cosine)^e", Real, EVERY_SCALAR) {
+TEST_CASE_TEMPLATE("specular: I k_s cosine^e, where the cosine is above 0", Real, EVERY_SCALAR) {
     CHECK_ULPS(specular(Real(1), Real(1), Real(0.5), Real(3)), Real(0.125), 1);
     CHECK_ULPS(specular(Real(0.5), Real(0.25), Real(0.5), Real(2)), Real(0.03125), 1);
     CHECK_EXACT(specular(Real(0.5), Real(1), Real(1), Real(15)), Real(0.5));
-    CHECK_EXACT(specular(Real(1), Real(1), Real(-0.5), Real(2)), Real(0));  // to an even power, too
+}
+
+TEST_CASE_TEMPLATE("specular cuts: a cosine below 0 is none, to an even power, too, and so is what is not a number",
+                   Real, EVERY_SCALAR) {
+    CHECK_EXACT(specular(Real(1), Real(1), Real(-0.5), Real(2)), Real(0));
     CHECK_EXACT(specular(Real(1), Real(1), std::numeric_limits<Real>::quiet_NaN(), Real(2)), Real(0));
 }
 

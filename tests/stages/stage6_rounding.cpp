@@ -253,8 +253,9 @@ TEST_CASE("a difference of magnitudes adds sizes, too") {
     CHECK_EXACT((Magnitude(-3.0) - Magnitude(3.0)).size, 6.0);
 }
 
-TEST_CASE("a product of magnitudes multiplies sizes, and a formula adds up its terms' sizes") {
-    CHECK_EXACT((Magnitude(-3.0) * Magnitude(5.0)).size, 15.0);
+TEST_CASE("a product of magnitudes multiplies sizes") { CHECK_EXACT((Magnitude(-3.0) * Magnitude(5.0)).size, 15.0); }
+
+TEST_CASE("a formula of magnitudes adds up its terms' sizes") {
     // (1, 2, 3)·(2, 1, −1): 2 + 2 + 3, where the product itself is 1
     const Vec3<double> a{1, 2, 3}, b{2, 1, -1};
     CHECK_EXACT(dot(convert<Magnitude>(a), convert<Magnitude>(b)).size, 7.0);
@@ -283,6 +284,14 @@ TEST_CASE("the filter's bound is 8u S and a little more, S the largest sum of si
     // 15·17 + 10·10, 10·10 + 10·17 and 10·10 + 15·10, in all 875; b and c have less.
     CHECK_AT_LEAST(error_for({{-10, -10, -10}, {1, 1, 1}}, triangle), 7 * u * 875);
     CHECK_AT_MOST(error_for({{-10, -10, -10}, {1, 1, 1}}, triangle), 16 * u * 875);
+}
+
+TEST_CASE("the filter's bound is more than 8u S, also where S itself was rounded down") {
+    // b = 2²⁷ + 1, b² = 2⁵⁴ + 2²⁸ + 1: doubles of this size are 4 apart, so S is computed as 2⁵⁴ + 2²⁸. 8u S is truly
+    // 16 + 2⁻²² + 2⁻⁵⁰; the next double is 16 + 2⁻²² + 2⁻⁴⁸.
+    const double b = 0x1p27 + 1;
+    const Triangle<double> triangle{{0, 0, 0}, {0, b, 0}, {0, 0, b}};
+    CHECK_AT_LEAST(error_for({{0, 0, 0}, {1, 1, 1}}, triangle), 16 + 0x1p-22 + 0x1p-48);
 }
 
 TEST_CASE("the filter's bound holds for the side products of any ray within reach, and is not loose") {
@@ -334,6 +343,9 @@ TEST_CASE("where numbers overflow or underflow the filter decides nothing: its b
     CHECK_EXACT(error_for(ray, times(0x1p600)), infinity);
     CHECK_EXACT(error_for({{0, 0, 0}, {0x1p-600, 0, 0}}, triangle), infinity);
     CHECK_EXACT(error_for({{0, 0, 0}, {0x1p600, 0, 0}}, triangle), infinity);
+    // so it is from 2¹⁰⁰ on, in a corner and in the start, though 2⁴⁰⁰ is still a number
+    CHECK_EXACT(error_for(ray, times(0x1p200)), infinity);
+    CHECK_EXACT(error_for({{0x1p200, 0, 0}, {1, 1, 1}}, triangle), infinity);
     CHECK_AT_MOST(error_for(ray, times(0x1p-30)), 16 * u * 35 * 0x1p-60);  // and where they are just small, it is not
     CHECK_AT_MOST(error_for(ray, times(0x1p30)), 16 * u * 35 * 0x1p60);
 }

@@ -314,6 +314,7 @@ TEST_CASE_TEMPLATE("is_beyond: a box that begins behind the hit is, one before i
     const Best<Real> best = Hit<Real>{0, 4};
     CHECK(engine::is_beyond(Real(5), best));
     CHECK(engine::is_beyond(Real(4.01), best));
+    CHECK(engine::is_beyond(4 + 256 * epsilon<Real>, best));  // 16 times what `widened` adds
     CHECK_FALSE(engine::is_beyond(Real(3), best));
     CHECK_FALSE(engine::is_beyond(Real(0), best));
 }
