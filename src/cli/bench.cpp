@@ -16,6 +16,7 @@
 #include "scene/printable.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_path.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 
@@ -98,7 +99,8 @@ void add_bench(CLI::App& program, Session& session) {
         if (request->against_embree) return bench_against_embree(request->runs, session.interrupt.token());
         std::vector<Scene> scenes;  // reads all before timing the first, so that a wrong name costs no minutes
         for (const std::string& name : request->scenes) scenes.push_back(read_scene(scene_path(name)));
-        fmt::print("Million rays a second; {} runs of each, in turn: median (least ... greatest)\n", request->runs);
+        fmt::print("Million rays a second; {} of each, in turn: median (least ... greatest)\n",
+                   counted(static_cast<std::size_t>(request->runs), "run"));
         for (std::size_t i = 0; i < scenes.size(); ++i)
             bench_scene(request->scenes[i], scenes[i], request->runs, session.interrupt.token());
     });

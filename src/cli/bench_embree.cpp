@@ -19,6 +19,7 @@
 #include "render/search/build_engine.hpp"
 #include "render/search/certified_search.hpp"
 #include "render/view.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 
@@ -68,7 +69,8 @@ void bench_against_embree(int runs, const std::stop_token& stop) {
         {"an icosphere", seen(icosphere(6), {0, -3, 0}, {0, 0, 0})},
         {"a terrain", seen(terrain(708), {-1.2, -1.5, 0.9}, {0, 0, -0.1})},
     };
-    fmt::print("Nanoseconds a ray; {} runs of each, in turn: median (least ... greatest)\n", runs);
+    fmt::print("Nanoseconds a ray; {} of each, in turn: median (least ... greatest)\n",
+               counted(static_cast<std::size_t>(runs), "run"));
     fmt::print("Glassbox's vectors are {}; Embree is {}\n", engine::vectors_used(), EmbreeScene::version());
     for (const auto& [name, scene] : scenes) {
         const auto triangles = static_cast<double>(scene.meshes.front()->faces.size());

@@ -12,15 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the scene of the case that is shown, or else of the first failing case that has one; and that case.
-std::optional<std::pair<FailingScene, const CaseResult*>> scene_to_look_at(const TestedLesson& tested) {
-    std::vector<const CaseResult*> failed{tested.judgement.shown};
-    for (const CaseResult& one : tested.run.cases) failed.push_back(&one);
-    for (const CaseResult* one : failed) {
-        if (!one || !one->failure || !one->failure->not_written().empty()) continue;
-        if (auto scene = failing_scene(one->name, *one->failure)) return std::pair(*std::move(scene), one);
-    }
-    return {};
+/// Returns the scene of the ray with which the case fails that is shown; none where it traced none.
+std::optional<FailingScene> scene_to_look_at(const Judgement& judgement) {
+    const CaseResult* shown = judgement.shown;
+    if (!shown || !shown->failure || !shown->failure->not_written().empty()) return {};
+    return failing_scene(shown->name, *shown->failure);
 }
 
 }  // namespace
@@ -96,11 +92,9 @@ TestedLesson Learner::test(const Exercise& exercise, const std::stop_token& stop
     tested.judgement = judged(exercise, tested.run);
     if (!tested.run.error && !tested.run.passed())
         tested.recognised = recognised(exercise, tested.run, tested.judgement);
-    if (const auto found = scene_to_look_at(tested)) {
-        const auto& [scene, traced_in] = *found;
-        write_whole(failing_scene_file(), std::as_bytes(std::span(scene.toml)));
-        tested.pixel = scene.pixel;
-        tested.traced_in = traced_in;
+    if (const auto scene = scene_to_look_at(tested.judgement)) {
+        write_whole(failing_scene_file(), std::as_bytes(std::span(scene->toml)));
+        tested.pixel = scene->pixel;
     }
     LessonProgress& progress = remembered(exercise);
     ++progress.runs;

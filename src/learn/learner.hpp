@@ -19,7 +19,6 @@ struct TestedLesson {
     Judgement judgement;                       ///< points into `run` and the exercise
     Recognised recognised;                     ///< what the detective says of it
     std::optional<std::pair<int, int>> pixel;  ///< of the failing scene, if one was written
-    const CaseResult* traced_in = nullptr;     ///< the case, in `run`, whose ray that is
     std::chrono::duration<double> took{};
 
     TestedLesson() = default;

@@ -142,6 +142,26 @@ std::string place_of(const Workspace& workspace, const Exercise& exercise, const
     return line == 0 ? shown(path) : fmt::format("{}:{}", shown(path), line);
 }
 
+/// What was expected, and what came out.
+struct Sides {
+    std::string expected, got;
+};
+
+/// The two as a reader wants them: of a == b, b is what is expected; what may hold nothing, an optional, holds
+/// something where it counts as true.
+Sides sides_of(const Failure& failure) {
+    constexpr std::string_view equal = " == ", unprintable = "{?}";
+    if (!failure.expected.empty()) return {failure.expected, failure.got};
+    if (failure.got == unprintable)
+        return failure.negated ? Sides{"nothing", "something"} : Sides{"something", "nothing"};
+    const std::size_t at = failure.got.find(equal);
+    const bool compares = at != std::string::npos && at == failure.got.rfind(equal) &&
+                          failure.got.find(unprintable) == std::string::npos &&
+                          failure.expression.find(equal) != std::string::npos;
+    if (!compares || failure.negated) return {"", failure.got};
+    return {failure.got.substr(at + equal.size()), failure.got.substr(0, at)};
+}
+
 std::string failure_text(const Workspace& workspace, const CaseResult& one, const Paint& paint) {
     std::string text;
     for (const auto& [name, value] : failure_rows(workspace, one)) text += row(name, value, paint);
@@ -163,32 +183,40 @@ std::string bar(std::size_t done, std::size_t all, const Paint& paint) {
     return paint.good(filled) + paint.faint(empty);
 }
 
-/// How to open the ray of the failing test in the viewer; what is missing for the learner's own picture of it.
-std::string ray_to_look_at(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
+/// How `glassbox view` is called from here.
+std::string view_command(const Workspace& workspace) {
+    return fmt::format("{} view", command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox");
+}
+
+/// The options by which the viewer shows the learner's picture of a lesson beside ours.
+std::string mine_options(const Workspace& workspace, const Exercise& exercise) {
+    std::string options = fmt::format(" --mine={}", exercise.number);
+    if (workspace.folder != workspace.usual_folder) options += " --folder " + shell_word(shown(workspace.folder));
+    return options;
+}
+
+/// How to open the ray of the failing test in the viewer, beside the learner's own picture where that can be drawn.
+std::string ray_to_look_at(Learner& learner, const Exercise& exercise, const TestedLesson& tested) {
     if (!tested.pixel) return "";
     const Workspace& workspace = learner.workspace();
-    const auto [option, rule] = rule_to_see(exercise, tested.traced_in->name);
-    std::string command = fmt::format(
-        "{} view {} --pixel {},{}{}", command_line(workspace, "").starts_with("./") ? "./glassbox" : "glassbox",
+    const auto [option, rule] = rule_to_see(exercise, tested.judgement.shown->name);
+    const bool all_written = std::ranges::none_of(
+        tested.judgement.functions, [](State state) { return state == State::not_written; }, &FunctionJudgement::state);
+    return fmt::format(
+        "  Look at this ray:  {} {} --pixel {},{}{}{}\n", view_command(workspace),
         shell_word(shown(learner.failing_scene_file())), tested.pixel->first, tested.pixel->second,
-        option.empty() ? "" : fmt::format(" --{} {}", option, rule));
-    std::string missing;
-    if (exercise.own_picture != OwnPicture::none) {
-        command += fmt::format(" --mine={}", exercise.number);
-        if (workspace.folder != workspace.usual_folder) command += " --folder " + shell_word(shown(workspace.folder));
-        for (std::size_t i = 0; i < exercise.functions.size(); ++i)
-            if (tested.judgement.functions[i].state == State::not_written)
-                missing += fmt::format("{}`{}`", missing.empty() ? "" : ", ", exercise.functions[i].name);
-    }
-    std::string text = fmt::format("  Look at this ray:  {}\n", command);
-    if (!missing.empty())
-        text += fmt::format("  {}\n",
-                            paint.faint(wrapped(fmt::format("Yours is not drawn yet where it needs {}: only ours is "
-                                                            "there to see.",
-                                                            missing),
-                                                21, paint.width)
-                                            .insert(0, std::string(19, ' '))));
-    return text;
+        option.empty() ? "" : fmt::format(" --{} {}", option, rule),
+        all_written && exercise.own_picture != OwnPicture::none ? mine_options(workspace, exercise) : "");
+}
+
+/// Whether all lessons were passed, and nothing has failed in one since.
+bool all_is_passed(Learner& learner) {
+    return std::ranges::all_of(learner.workspace().exercises, [&](const Exercise& exercise) {
+        const LessonProgress& progress = learner.progress(exercise);
+        return progress.passed && std::ranges::all_of(remembered(exercise, progress), [](const auto& function) {
+                   return function.state == State::passed || function.state == State::unknown;
+               });
+    });
 }
 
 std::string passed_text(Learner& learner, const Exercise& exercise, const TestedLesson& tested, const Paint& paint) {
@@ -199,8 +227,10 @@ std::string passed_text(Learner& learner, const Exercise& exercise, const Tested
     text += fmt::format("  Compare with ours:      {}\n",
                         command_line(workspace, fmt::format("solution {}", exercise.number)));
     const Exercise& next = learner.lesson();
-    if (learner.progress(next).passed) text += "  That was the last one. You have written a ray tracer.\n";
-    else
+    if (all_is_passed(learner))
+        text += &exercise == &workspace.exercises.back() ? "  That was the last one. You have written a ray tracer.\n"
+                                                         : "  All lessons are passed.\n";
+    else if (!learner.progress(next).passed)
         text += fmt::format("  Next, lesson {}:         {}, and then {}\n", next.number,
                             shown(next.lesson / "README.md"), command_line(workspace, "test"));
     return text;
@@ -253,8 +283,9 @@ std::vector<ToldRow> failure_rows(const Workspace& workspace, const CaseResult& 
     };
     add("test", scalar.empty() ? std::string(name) : fmt::format("{}; in {}", name, scalar));
     add("checked", failure.expression);
-    add("expected", failure.expected);
-    if (failure.threw.empty() && failure.died.empty()) add("got", failure.got);
+    const auto [expected, got] = sides_of(failure);
+    add("expected", expected);
+    if (failure.threw.empty() && failure.died.empty()) add("got", got);
     const bool too_much = failure.threw == "std::bad_alloc" || failure.threw == "std::bad_array_new_length";
     add("threw", failure.threw + (too_much ? ": it asked for more memory than it may have" : ""));
     add("died", failure.died);
@@ -336,9 +367,19 @@ std::string status_text(Learner& learner, const Paint& paint) {
             text += fmt::format("               {}\n", functions_line(exercise, functions, 15, paint));
     }
     const LessonProgress& progress = learner.progress(present);
-    if (progress.passed)
-        return text + fmt::format("\nAll are passed. To see yours beside ours: {}\n",
-                                  command_line(workspace, fmt::format("picture {} -o picture.png", present.number)));
+    if (workspace.program != "./glassbox")
+        text +=
+            fmt::format("\n{}\n", wrapped(fmt::format("In the texts `./glassbox` is `{}` here; what they call lessons/ "
+                                                      "and scenes/ lies in {}.",
+                                                      workspace.program, shown(workspace.root)),
+                                          0, paint.width));
+    if (progress.passed) {
+        const bool beside_ours = present.own_picture != OwnPicture::none;
+        return text + fmt::format("\nAll are passed. To see yours{}: {}\n", beside_ours ? " beside ours" : "",
+                                  beside_ours ? view_command(workspace) + mine_options(workspace, present)
+                                              : command_line(workspace,
+                                                             fmt::format("picture {} -o picture.png", present.number)));
+    }
     text += fmt::format(
         "\n{}\n",
         wrapped(fmt::format("Lesson {}, {}: {}", present.number, present.title, present.sentence), 0, paint.width));
@@ -408,7 +449,7 @@ std::string tested_text(Learner& learner, const Exercise& exercise, const Tested
     if (!recognised.name.empty()) text += paragraph("This looks familiar.", recognised.looks_like, paint);
     if (!recognised.description.empty()) text += paragraph("What the checks show:", recognised.description, paint);
     if (!recognised.also_looks_like.empty()) text += paragraph("Also:", recognised.also_looks_like, paint);
-    text += ray_to_look_at(learner, exercise, tested, paint);
+    text += ray_to_look_at(learner, exercise, tested);
     text += fmt::format("  A hint:            {}\n", command_line(workspace, fmt::format("hint {}", exercise.number)));
     return text;
 }

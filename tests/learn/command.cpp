@@ -160,7 +160,7 @@ TEST_CASE("what no mistake explains is described, with the inputs of the check, 
     check_has(ran.out, "ray       P = (-10, 3, 0), D = (2, 0, 0)\n");
     check_has(ran.out, "sphere    C = (0, 0, 0), r = 5\n");
     // a and b of two rays with |D| = 2 and 3; their c, and b and c of a third with |D| = 1, are right
-    check_has(ran.out, "What the checks show: 4 of 8 checks looked at are wrong.");
+    check_has(ran.out, "What the checks show: 4 of 8 checks of `quadratic` fail.");
     check_has(ran.out, " --sphere textbook --mine=2 --folder mine\n");
     CHECK(ran.out.find("This looks familiar.") == std::string::npos);
 }

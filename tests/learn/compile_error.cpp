@@ -4,6 +4,7 @@
 #include <doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "learn/build/plain_words.hpp"
@@ -133,6 +134,159 @@ TEST_CASE("a vector times a number is told with the learner's own operands, the 
           "There is no vector * vector here; do you mean dot(ray.D, n), a number, or cross(ray.D, n), a vector?");
     CHECK(in_plain_words("no match for 'operator*' (operand types are 'Rotation<float>' and 'float')")
               .starts_with("There is no * between Rotation<float> and float."));
+}
+
+TEST_CASE("what people write for a power, a comparison, a component, or beside a Truth") {
+    struct Case {
+        const char *gcc, *clang;
+        OperatorInSource source;
+        const char* words;
+    };
+    for (const Case& one : {
+             Case{"invalid operands of types 'const double' and 'double' to binary 'operator^'",
+                  "invalid operands to binary expression ('const double' and 'double')",
+                  {"a.x", "^", "2"},
+                  "^ is no power in C++: a square is a.x * a.x, any other power pow(a.x, e)."},
+             Case{"no match for 'operator!=' (operand types are 'const glassbox::Vec3<double>' and 'int')",
+                  "invalid operands to binary expression ('const Vec3<double>' and 'int')",
+                  {"ray.D", "!=", "0"},
+                  "A vector is compared with a vector; whether it is not zero: ray.D != Vec3<Real>{}."},
+             Case{"no match for 'operator==' (operand types are 'const glassbox::Vec3<double>' and 'int')",
+                  "invalid operands to binary expression ('const Vec3<double>' and 'int')",
+                  {"h", "==", "0"},
+                  "A vector is compared with a vector; whether it is zero: h == Vec3<Real>{}."},
+             Case{
+                 "no match for 'operator|' (operand types are 'const glassbox::test::UnsureTruth' and 'const "
+                 "glassbox::test::UnsureTruth')",
+                 "invalid operands to binary expression ('const glassbox::test::UnsureTruth' and 'const "
+                 "glassbox::test::UnsureTruth')",
+                 {"left", "|", "right"},
+                 "There is no | between what two comparisons answer. There is a & b for and, !a for not, and a != b; a "
+                 "or b is !(!a & !b), and a equal to b is !(a != b)."},
+             Case{"no match for 'operator*' (operand types are 'glassbox::Vec3<double>' and 'const "
+                  "glassbox::Rotation<double>')",
+                  "invalid operands to binary expression ('Vec3<double>' and 'const Rotation<double>')",
+                  {"(point - pivot)", "*", "R"},
+                  "A rotation stands on the left of what it rotates: write R * (point - pivot)."},
+             Case{
+                 "no match for 'operator<' (operand types are 'const std::optional<glassbox::Hit<double> >' and 'const "
+                 "double')",
+                 "invalid operands to binary expression ('const std::optional<Hit<double>>' and 'const double')",
+                 {"best", "<", "t"},
+                 "There is no < between these: what an optional holds is reached by ->, as in best->t, where it holds "
+                 "something."},
+             Case{"no match for 'operator[]' (operand types are 'const glassbox::Vec3<double>' and 'int')",
+                  "type 'const Vec3<double>' does not provide a subscript operator",
+                  {},
+                  "A vector's components are called, and not counted: write .x, .y or .z, as in a.x."},
+             Case{"no matching function for call to 'max(<brace-enclosed initializer list>)'",
+                  "no matching function for call to 'max'",
+                  {},
+                  "All that max is given must be of one type: write Real(0) for 0."},
+         }) {
+        CHECK(in_plain_words(one.gcc, one.source) == one.words);
+        CHECK(in_plain_words(one.clang, one.source) == one.words);
+    }
+    CHECK(in_plain_words("no match for 'operator+' (operand types are 'Vec3<float>' and 'int')").find("== and !=") !=
+          std::string::npos);
+}
+
+TEST_CASE("the tests' own types are called as a learner calls them") {
+    CHECK(in_our_names("cannot convert 'glassbox::test::UnsureTruth' to 'const bool'") ==
+          "cannot convert 'Truth' to 'const bool'");
+    CHECK(in_our_names("to 'sqrt(const glassbox::test::Unsure&)'") == "to 'sqrt(const Real&)'");
+    const Project project;
+    const CompileError error = project.error(
+        "my/1-rays/vec3.hpp:2:9: error: no viable conversion from returned value of type 'glassbox::test::UnsureTruth' "
+        "to function return type 'bool'\n");
+    CHECK(error.message == "no viable conversion from returned value of type 'Truth' to function return type 'bool'");
+    CHECK(error.plain.find("keep it as Truth<Real>") != std::string::npos);
+}
+
+TEST_CASE("what is meant is seen from the line and the function that it is in") {
+    struct Case {
+        const char* declaration;  ///< its body has the line
+        const char* line;
+        const char* marked;  ///< what g++ and clang++ point at, the first time that it stands in the line
+        const char *gcc, *clang;
+        const char* words;
+    };
+    const char* const at = "Vec3<Real> at(const Ray<Real>& ray, const Real& t) {";
+    for (const Case& one : {
+             Case{at, "    return P + t * ray.D;", "P", "'P' was not declared in this scope",
+                  "use of undeclared identifier 'P'", "Nothing is called P here; did you mean ray.P?"},
+             Case{"constexpr Real f(const Ray<Real>& one,\n                 const glassbox::Ray<Real>& other) {",
+                  "    return D;", "D", "'D' was not declared in this scope", "use of undeclared identifier 'D'",
+                  "Nothing is called D here; did you mean one.D or other.D?"},
+             Case{at, "    return max(0, t);", "max", "'max' was not declared in this scope; did you mean 'std::max'?",
+                  "use of undeclared identifier 'max'; did you mean 'std::max'?",
+                  "Write std::max, and give it numbers of one type: Real(0) for 0."},
+             Case{at, "    return choose(t > 0, t, 0);", "choose",
+                  "'choose' was not declared in this scope; did you mean 'close'?",
+                  "use of undeclared identifier 'choose'", "There is no choose here: write condition ? a : b."},
+             Case{at, "    v = ray.P;", "v", "'v' was not declared in this scope", "use of undeclared identifier 'v'",
+                  "Nothing is called v here. To make a variable of that name, write const auto v = …"},
+             Case{at, "    const v = ray.P;", "v ", "'v' does not name a type",
+                  "C++ requires a type specifier for all declarations",
+                  "A type is missing before v: write const auto v = …"},
+             Case{at, "    return best.t;", "t;",
+                  "'const class std::optional<glassbox::Hit<double> >' has no member named "
+                  "'t'",
+                  "no member named 't' in 'std::optional<glassbox::Hit<double>>'",
+                  "What an optional holds is reached by ->, where it holds something: best->t."},
+             Case{at, "    return pow(sphere.r, 2);", "pow",
+                  "cannot convert 'const glassbox::test::Unsure' to 'double'", "no matching function for call to 'pow'",
+                  "pow is for built-in numbers alone, and Real may be another: write sphere.r * sphere.r."},
+             Case{"constexpr Interval<Real> f(const Real& a, const Real& b) {", "    return a < b ? {a, b} : {b, a};",
+                  "{a", "expected primary-expression before '{' token",
+                  "initializer list cannot be used on the right hand side of operator '?'",
+                  "Beside ? and : braces need their type before them: write Interval<Real>{…}."},
+         }) {
+        const Project project;
+        std::ofstream(project.mine / "1-rays" / "vec3.hpp")
+            << "#pragma once\ntemplate <class Real>\nstruct Ray {\n    Vec3<Real> P, D;\n};\n\ntemplate <class Real>\n"
+            << one.declaration << '\n'
+            << one.line << "\n}\n";
+        const auto line = 9 + std::ranges::count(std::string_view(one.declaration), '\n');
+        const std::string place =
+            fmt::format("my/1-rays/vec3.hpp:{}:{}: error: ", line, std::string(one.line).find(one.marked) + 1);
+        CHECK(project.error(place + one.gcc + '\n').plain == one.words);
+        CHECK(project.error(place + one.clang + '\n').plain == one.words);
+    }
+}
+
+TEST_CASE("a template without <Real> is named, where g++ points behind it, and clang++ at it") {
+    const Project project;
+    std::ofstream(project.mine / "1-rays" / "vec3.hpp") << "#pragma once\n    return widened * t;\n";
+    // 4 blanks, return, a blank: 11 before widened, 19 before the *
+    CHECK(project.error("my/1-rays/vec3.hpp:2:20: error: missing template arguments before '*' token\n").plain ==
+          "widened is a template: write widened<Real>.");
+    CHECK(project
+              .error("my/1-rays/vec3.hpp:2:12: error: use of variable template 'widened' requires template arguments\n")
+              .plain == "widened is a template: write widened<Real>.");
+}
+
+TEST_CASE("cos_sin of a turn is told at its own line, whatever line is complained of") {
+    const Project project;
+    std::ofstream(project.mine / "1-rays" / "vec3.hpp")
+        << "#pragma once\ntemplate <class Real>\nRotation<Real> rotation(const Turn<Real>& turn) {\n"
+           "    const auto [c, s] = cos_sin(turn);\n    return {c, s};\n}\n";
+    const CompileError error = project.error(
+        "src/core/5-rotation/turn.hpp:43:44: error: cannot convert 'int' to 'glassbox::Axis' in initialization\n"
+        "my/1-rays/vec3.hpp:4:25: error: something that follows\n");
+    CHECK(error.place.line == 4);
+    CHECK(error.plain == "cos_sin takes an angle in degrees, a number: cos_sin(turn.degrees).");
+}
+
+TEST_CASE("a name that the compiler suggests is passed on if it is one of ours or the learner's") {
+    const Project project;
+    CHECK(
+        project.error("my/1-rays/vec3.hpp:3:9: error: 'colse' was not declared in this scope; did you mean 'close'?\n")
+            .plain.find("close") == std::string::npos);
+    std::ofstream(project.folder / fs::path("src/core/2-spheres/sphere.hpp")) << "int close();\n";
+    CHECK(
+        project.error("my/1-rays/vec3.hpp:3:9: error: 'colse' was not declared in this scope; did you mean 'close'?\n")
+            .plain == "Nothing is called colse here; did you mean close?");
 }
 
 TEST_CASE("a name that g++ gives and then explains is the explained one") {

@@ -74,7 +74,7 @@ CaseResult failing(const std::string& name, const std::string& expression, const
 CaseResult not_written(const std::string& name, const std::string& function) {
     Failure failure;
     failure.threw = "`" + function + "` is not written yet (my/2-spheres/sphere.hpp:7)";
-    return {name, failure};
+    return {name, failure, "", function};
 }
 
 }  // namespace
@@ -343,6 +343,7 @@ TEST_CASE("a failing scene has the test's ray, to the bit, at the pixel that is 
             failure.surface = surface;
             const auto made = failing_scene("a \"test\"<double>", failure);
             REQUIRE(made);
+            CHECK(made->toml.find("title = \"a 'test'\"\n") != std::string::npos);
             std::ofstream(folder / "failing.toml") << made->toml;
             const Scene scene = read_scene(folder / "failing.toml");
             CHECK(scene.spheres.size() + scene.triangles.size() == 1);
@@ -356,6 +357,51 @@ TEST_CASE("a failing scene has the test's ray, to the bit, at the pixel that is 
     CHECK_FALSE(failing_scene("a ray without a direction", failure));
     failure.ray.clear();
     CHECK_FALSE(failing_scene("no ray", failure));
+}
+
+TEST_CASE(
+    "what was expected and got is told of a condition, too, by its two sides; an optional holds something or nothing") {
+    const auto told = [](const char* expression, const char* got, bool negated) {
+        Failure failure;
+        failure.expression = expression;
+        failure.got = got;
+        failure.negated = negated;
+        TestRun run;
+        run.cases = {{"a test<double>", failure}};
+        return first_wrong_text({}, {}, run, judged({}, run), {});
+    };
+    const auto has = [](const std::string& text, const char* rows) { return text.find(rows) != std::string::npos; };
+    CHECK(has(told("best->surface == 5", "4 == 5", false), "expected  5\n  got       4\n"));
+    CHECK(has(told("forwards", "{?}", false), "expected  something\n  got       nothing\n"));
+    CHECK(has(told("nearest(Best{}, 0, miss)", "{?}", true), "expected  nothing\n  got       something\n"));
+    // what cannot be shown, and a condition of another kind, is left as it is
+    CHECK(has(told("a == b", "{?} == {?}", false), "got       {?} == {?}\n"));
+    CHECK(has(told("crossed > 300", "20 > 300", false), "got       20 > 300\n"));
+    CHECK_FALSE(has(told("crossed > 300", "20 > 300", false), "expected"));
+}
+
+TEST_CASE("where all is passed it is said how to see it, and where it is installed what the texts call otherwise") {
+    const Folder folder;
+    Workspace workspace = open_workspace(ROOT, folder / "my");
+    fs::create_directories(workspace.hidden());
+    Progress progress;
+    for (const Exercise& exercise : workspace.exercises) progress.lessons[exercise.name].passed = true;
+    write_progress(workspace.hidden() / "progress.json", progress);
+    const auto status = [&] {
+        Learner learner(workspace, [](const std::string&) {});
+        return status_text(learner, {.width = 1000});
+    };
+    const std::string here = status();
+    // the last lesson has no picture beside ours
+    CHECK(here.find("All are passed. To see yours: ") != std::string::npos);
+    CHECK(here.find("learn picture 7 -o picture.png") != std::string::npos);
+    CHECK(here.find("In the texts") == std::string::npos);
+    workspace.program = "glassbox";
+    CHECK(status().find("In the texts `./glassbox` is `glassbox` here; what they call lessons/ and scenes/ lies in " +
+                        shown(workspace.root) + ".\n") != std::string::npos);
+    workspace.exercises.pop_back();
+    CHECK(status().find("All are passed. To see yours beside ours: ") != std::string::npos);
+    CHECK(status().find(" view --mine=6 --folder ") != std::string::npos);
 }
 
 TEST_CASE("progress is kept; a memory that cannot be read is set aside with a word, and nothing breaks") {

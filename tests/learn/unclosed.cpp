@@ -87,6 +87,17 @@ TEST_CASE("without indentation no guess is made: the innermost that stays open i
                "1:9 This { is never closed: a } is missing, at the end or further up.");
 }
 
+TEST_CASE("a list of values ends before its statement does: its brace is named, and not the function's") {
+    check_told("int f() {\n    return {1,\n            g(2);\n}\n\nint g() {\n    return 1;\n}\n",
+               "2:12 This { is never closed: its } is missing before the ; of line 3.");
+    check_told("M f() {\n    return {{1, 0}, {0, 1};\n}\n",
+               "2:12 This { is never closed: its } is missing before the ;");
+    check_told("M f() {\n    return {{1, 0}, {0, 1;\n}\n",
+               "2:21 This { is never closed: its } is missing before the ;");
+    check_told("void f() {\n    const M m = {1, 2;\n}\n", "2:17 This { is never closed: its } is missing before the ;");
+    CHECK(told("void f() {\n    return {[] { return 1; }(), 2};\n}\n") == "");
+}
+
 TEST_CASE("a } too many is named where a namespace ends early, by indentation, or where nothing is open") {
     check_told("namespace a {\nint f() {\n    return 1;\n}\n}\n\nint g() {\n    return 2;\n}\n}  // namespace a\n",
                "5:1 With this } the namespace ends already, and the } of line 10 closes nothing");

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "learn/build/headers.hpp"
+#include "learn/build/meant.hpp"
 #include "learn/build/plain_words.hpp"
 #include "learn/build/unclosed.hpp"
 #include "scene/printable.hpp"
@@ -186,38 +187,49 @@ void check_machine(const Outcome& outcome, const fs::path& mine, const fs::path&
 constexpr std::string_view what_to_do =
     "Run ./glassbox: it builds Glassbox anew, from its source as it is now. If it stays, please report it.";
 
-bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
-
-/// Returns the length of the operand at the front of a text, such as "ray.D", "(a + b)" or "dot(a, b)". With
-/// `backwards`, that of the operand at the end of the text, scanned from the end.
-std::size_t length_of_operand(std::string_view text, bool backwards) {
-    const auto at = [&](std::size_t i) { return text[backwards ? text.size() - 1 - i : i]; };
-    const char open = backwards ? ')' : '(', close = backwards ? '(' : ')';
-    std::size_t end = 0;
-    for (int depth = 0; end < text.size(); ++end) {
-        if (at(end) == open) ++depth;
-        else if (at(end) == close && --depth < 0) break;
-        else if (depth == 0 && at(end) != close && !in_a_name(at(end))) break;
-    }
-    return end;
-}
-
 /// Returns the operation whose operator stands where the error is.
 OperatorInSource operation_at(const CompileError& error) {
     OperatorInSource operation;
     const std::size_t at = error.place.column - 1;
     const std::string_view source = error.source;
-    if (error.place.column == 0 || at >= source.size() ||
-        std::string_view("+-*/").find(source[at]) == std::string_view::npos)
+    constexpr std::string_view signs = "+-*/^|&<>=!", doubled = "|&=";
+    if (error.place.column == 0 || at >= source.size() || signs.find(source[at]) == std::string_view::npos)
         return operation;
-    operation.sign = source[at];
-    std::string_view left = source.substr(0, at), right = source.substr(at + 1);
+    const bool is_doubled = at + 1 < source.size() && doubled.find(source[at + 1]) != std::string_view::npos;
+    operation.sign = source.substr(at, is_doubled ? 2 : 1);
+    std::string_view left = source.substr(0, at), right = source.substr(at + operation.sign.size());
     left = left.substr(0, left.find_last_not_of(' ') + 1);
     right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
     const std::size_t before = length_of_operand(left, true), after = length_of_operand(right, false);
     if (before > 0) operation.left = left.substr(left.size() - before);
     if (after > 0) operation.right = right.substr(0, after);
     return operation;
+}
+
+bool is_word_of(std::string_view text, std::string_view word) {
+    const auto in_a_word = [&](std::size_t i) {
+        return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
+    };
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
+        if (!in_a_word(at - 1) && !in_a_word(at + word.size())) return true;
+    return false;
+}
+
+/// The message without a name that the compiler suggests, if it is none of ours or the learner's: of <unistd.h> and
+/// the like it knows many that nobody means.
+std::string without_strangers(std::string message, const std::vector<fs::path>& headers) {
+    constexpr std::string_view opening = "; did you mean '";
+    const std::size_t at = message.find(opening);
+    const bool is_undeclared = message.find("was not declared in this scope") != std::string::npos ||
+                               message.starts_with("use of undeclared identifier");
+    if (at == std::string::npos || !is_undeclared) return message;
+    const std::string_view rest = std::string_view(message).substr(at + opening.size());
+    const std::string name(rest.substr(0, rest.find('\'')));
+    if (name.find("::") != std::string::npos) return message;
+    for (const fs::path& folder : headers)
+        for (const fs::path& file : headers_in(folder))
+            if (is_word_of(content_of(file), name)) return message;
+    return message.substr(0, at);
 }
 
 /// Returns a suggestion for an unknown name, if the file contains a similar one.
@@ -264,52 +276,8 @@ bool lacks_parenthesis(const CompileError& error) {
     return std::ranges::count(statement, '(') > std::ranges::count(statement, ')');
 }
 
-/// "c and r": the members of a struct, as our headers or the learner's declare it; "" if they do not.
-std::string members_of(const std::string& name, const OwnHeaders& mine, const fs::path& root) {
-    std::vector<fs::path> files;
-    std::error_code none;
-    for (const fs::path& folder : {mine.folder, root / "src/core"})
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none))
-            if (entry.path().extension() == ".hpp") files.push_back(entry.path());
-    for (const fs::path& file : files) {
-        bool inside = false;
-        std::vector<std::string> members;
-        const std::string text = content_of(file);
-        for (const std::string_view line : lines_of(text)) {
-            if (line.starts_with("struct " + name + " {") && line.find('}') == std::string_view::npos) inside = true;
-            if (inside && line.starts_with("}")) break;
-            // "    Vec3<Real> P, D;  ///< …", or with values in braces
-            const std::string_view declared = line.substr(0, line.find(';'));
-            if (!inside || declared.size() == line.size() || declared.find('(') != std::string_view::npos ||
-                declared.find("static") != std::string_view::npos || declared.find("using") != std::string_view::npos)
-                continue;
-            // A name is the last word before a comma, a value or the end.
-            std::string word, last;
-            int depth = 0;
-            bool has_value = false;
-            for (const char c : std::string(declared) + ',') {
-                if (c == '{' || c == '<') ++depth;
-                has_value |= c == '=' || (c == '{' && !word.empty()) || (c == '{' && !last.empty());
-                if (!has_value && depth == 0 && (std::isalnum(static_cast<unsigned char>(c)) || c == '_')) word += c;
-                else if (!word.empty()) last = std::exchange(word, "");
-                if (c == ',' && depth == 0 && !last.empty()) {
-                    members.push_back(std::exchange(last, ""));
-                    has_value = false;
-                }
-                if (c == '}' || c == '>') --depth;
-            }
-        }
-        if (!members.empty()) {
-            const std::string last = members.back();
-            members.pop_back();
-            return members.empty() ? last : fmt::format("{} and {}", fmt::join(members, ", "), last);
-        }
-    }
-    return "";
-}
-
 /// Returns what members there are, where one is asked for that is not; "" for any other error.
-std::string of_members(const CompileError& error, const OwnHeaders& mine, const fs::path& root) {
+std::string of_members(const CompileError& error, const std::vector<fs::path>& headers) {
     const auto quoted_after = [&](std::string_view opening) {
         const std::size_t at = error.message.find(opening);
         if (at == std::string::npos) return std::string();
@@ -322,8 +290,12 @@ std::string of_members(const CompileError& error, const OwnHeaders& mine, const 
     if (member.empty() || type.empty()) return "";
     type = type.substr(0, type.find('<'));
     type = type.substr(type.find_last_of(": ") == std::string::npos ? 0 : type.find_last_of(": ") + 1);
-    const std::string members = members_of(type, mine, root);
-    return members.empty() ? "" : fmt::format("A {} has no member {}: it has {}.", type, member, members);
+    std::vector<std::string> members = members_of(type, headers);
+    if (members.empty()) return "";
+    const std::string last = std::move(members.back());
+    members.pop_back();
+    return fmt::format("A {} has no member {}: it has {}{}{}.", type, member, fmt::join(members, ", "),
+                       members.empty() ? "" : " and ", last);
 }
 
 /// Returns the words for an include of something that a later lesson introduces.
@@ -395,6 +367,28 @@ std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileErro
     return {};
 }
 
+/// Returns the error at a line that calls cos_sin with a Turn, where one of the errors has led to such a line: the
+/// others are of what was made of it.
+std::optional<CompileError> without_degrees(const std::vector<Diagnosed>& errors, const OwnHeaders& mine) {
+    for (const Diagnosed& one : errors) {
+        std::vector<Place> places = one.led_there;
+        places.push_back(one.error.place);
+        for (const Place& place : places) {
+            if (!lies_in(place.file, mine.folder)) continue;
+            CompileError error;
+            error.plain = takes_degrees(content_of(place.file), place.line);
+            if (error.plain.empty()) continue;
+            error.place = place;
+            error.yours = true;
+            error.source = line_of(place.file, place.line);
+            error.message = in_our_names(one.error.rest);
+            error.others = static_cast<int>(errors.size()) - 1;
+            return error;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine, const fs::path& folder) {
@@ -431,21 +425,25 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const OwnH
     CompileError error;
     error.place = place;
     error.yours = is_mine(place);
-    error.message = chosen->error.rest;
+    error.message = in_our_names(chosen->error.rest);
+    const std::vector<fs::path> headers{mine.folder, folder / "src/core"};
     if (may_be_read(place.file, mine, folder)) {
         error.source = line_of(place.file, place.line);
-        error.plain = suggested(error);
+        error.plain = meant(error, headers);
+        if (error.plain.empty()) error.plain = suggested(error);
     }
     if (error.plain.empty()) error.plain = of_a_later_lesson(error, folder);
-    if (error.plain.empty()) error.plain = of_members(error, mine, folder);
+    if (error.plain.empty()) error.plain = of_members(error, headers);
     if (error.plain.empty() && error.yours && lacks_parenthesis(error))
         error.plain = "A ( is not closed: its ) is missing before this.";
-    if (error.plain.empty()) error.plain = in_plain_words(error.message, operation_at(error));
+    if (error.plain.empty())
+        error.plain = in_plain_words(without_strangers(error.message, headers), operation_at(error));
     if (!error.yours && error.plain.empty())
         error.plain =
             "The tests cannot use your headers as they are: has each function the name, the parameters and the result "
             "that it had in the starter?";
     error.others = static_cast<int>(errors.size()) - 1;
+    if (std::optional<CompileError> cause = without_degrees(errors, mine)) return cause;
     if (std::optional<CompileError> cause = not_closed(mine, error)) return cause;
     return error;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace glassbox::learn {
@@ -35,7 +36,8 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
 
 /// Simplifies a type for a learner: "const glassbox::Vec3<double>&" becomes "Vec3<double>".
 std::string simple(std::string type) {
-    for (const std::string_view noise : {"glassbox::", "std::__cxx11::", "const ", "struct ", " const", "&"})
+    for (const std::string_view noise :
+         {"glassbox::", "engine::", "std::__cxx11::", "const ", "struct ", " const", "&"})
         replace_all(type, noise, "");
     return type;
 }
@@ -64,6 +66,14 @@ struct Meaning {
     std::string_view pattern;  ///< of a message, % standing for anything
     std::string_view plain;    ///< {1}, {2} … are what the % stood for, {left} and {right} the operation's
 };
+
+constexpr std::string_view no_bool =
+    "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) or "
+    "surely(…) "
+    "of it.";
+constexpr std::string_view between_truths =
+    "There is no {1} between what two comparisons answer. There is a & b for and, !a for not, and a != b; a or b is "
+    "!(!a & !b), and a equal to b is !(a != b).";
 
 // The first match is used. Patterns of g++ and clang++ for the same mistake stand together.
 constexpr std::array meanings{
@@ -99,6 +109,24 @@ constexpr std::array meanings{
         "'%' does not name a type%",
         "No type is called {1} here: is it spelt right? Or is one } too many further up, so that a function ends too "
         "early?"},
+    Meaning{"%'operator^'%", "^ is no power in C++: a square is {left} * {left}, any other power pow({left}, e)."},
+    Meaning{"no match for 'operator^' (operand%",
+            "^ is no power in C++: a square is {left} * {left}, any other power pow({left}, e)."},
+    Meaning{"no match for 'operator%' (operand types are '%Truth' and%", between_truths},
+    Meaning{"no match for 'operator%' (operand types are '%Kleene' and%", between_truths},
+    Meaning{"no match for 'operator[]' (operand types are '%Vec3<%",
+            "A vector's components are called, and not counted: write .x, .y or .z, as in a.x."},
+    Meaning{"type '%Vec3<%>' does not provide a subscript operator%",
+            "A vector's components are called, and not counted: write .x, .y or .z, as in a.x."},
+    Meaning{"no match for 'operator==' (operand types are '%Vec3<%>' and '%')%",
+            "A vector is compared with a vector; whether it is zero: {left} == Vec3<Real>{}."},
+    Meaning{"no match for 'operator!=' (operand types are '%Vec3<%>' and '%')%",
+            "A vector is compared with a vector; whether it is not zero: {left} != Vec3<Real>{}."},
+    Meaning{"no match for 'operator%' (operand types are '%std::optional<%",
+            "There is no {1} between these: what an optional holds is reached by ->, as in best->t, where it holds "
+            "something."},
+    Meaning{"no match for 'operator*' (operand types are '%Vec3<%>' and '%Rotation<%>')%",
+            "A rotation stands on the left of what it rotates: write {right} * {left}."},
     Meaning{
         "no match for 'operator*' (operand types are '%Vec3<%>' and '%Vec3<%>')%",
         "There is no vector * vector here; do you mean dot({left}, {right}), a number, or cross({left}, {right}), a "
@@ -107,11 +135,23 @@ constexpr std::array meanings{
             "There is no vector * number here; write the number first: {right} * {left}."},
     Meaning{"no match for 'operator%' (operand types are '%' and '%')%",
             "There is no {1} between {2} and {3}. What there is: Vec3 + Vec3, Vec3 - Vec3, number * Vec3 (the number "
-            "first), Vec3 / number, and dot and cross for two vectors."},
+            "first), Vec3 / number, == and != between vectors, and dot and cross for two vectors."},
     Meaning{
         "invalid operands to binary expression ('%' and '%')%",
         "There is no such operator between {1} and {2}. What there is: Vec3 + Vec3, Vec3 - Vec3, number * Vec3 (the "
-        "number first), Vec3 / number, and dot and cross for two vectors."},
+        "number first), Vec3 / number, == and != between vectors, and dot and cross for two vectors."},
+    Meaning{"no matching function for call to 'max%",
+            "All that max is given must be of one type: write Real(0) for 0."},
+    Meaning{"no matching function for call to 'min%",
+            "All that min is given must be of one type: write Real(0) for 0."},
+    Meaning{
+        "no matching function for call to 'sqrt%",
+        "sqrt takes a number. If it has one: write 'using std::sqrt;' before, and sqrt without std::, as Real may be "
+        "no built-in number."},
+    Meaning{
+        "no matching function for call to 'abs%",
+        "abs takes a number. If it has one: write 'using std::abs;' before, and abs without std::, as Real may be no "
+        "built-in number."},
     Meaning{"no matching function for call to '%(%)'%",
             "There is a function {1}, but it does not take these: {2}. Count them, and compare their types with its "
             "declaration."},
@@ -136,30 +176,14 @@ constexpr std::array meanings{
         "This function is declared to give nothing (void), but returns something: what is its result in the starter?"},
     Meaning{"invalid use of void expression%",
             "A function is used here that gives nothing (void): what is its result in the starter?"},
-    Meaning{"cannot convert '%Truth' to '%bool'%",
-            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
-            "or surely(…) "
-            "of it."},
-    Meaning{"cannot convert '%Kleene' to '%bool'%",
-            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
-            "or surely(…) "
-            "of it."},
-    Meaning{"could not convert '%' from '%Kleene' to 'bool'%",
-            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
-            "or surely(…) "
-            "of it."},
-    Meaning{"no viable conversion from '%Truth' to '%bool'%",
-            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
-            "or surely(…) "
-            "of it."},
-    Meaning{"no viable conversion from '%Kleene' to '%bool'%",
-            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
-            "or surely(…) "
-            "of it."},
-    Meaning{"value of type '%Kleene' is not contextually convertible to 'bool'%",
-            "What a comparison answers may be undecided, and is no bool: keep it as Truth<Real>, and ask possibly(…) "
-            "or surely(…) "
-            "of it."},
+    Meaning{"cannot convert '%Truth' to '%bool'%", no_bool},
+    Meaning{"cannot convert '%Kleene' to '%bool'%", no_bool},
+    Meaning{"could not convert '%' from '%Kleene' to 'bool'%", no_bool},
+    Meaning{"no viable conversion from '%Truth' to '%bool'%", no_bool},
+    Meaning{"no viable conversion from '%Kleene' to '%bool'%", no_bool},
+    Meaning{"value of type '%Kleene' is not contextually convertible to 'bool'%", no_bool},
+    Meaning{"no viable conversion from returned value of type '%Truth' to%", no_bool},
+    Meaning{"no viable conversion from returned value of type '%Kleene' to%", no_bool},
     Meaning{"cannot convert '%' to '%' in return%", "The function must return {2}, and this is {1}."},
     Meaning{"no viable conversion from returned value of type '%' to function return type '%'%",
             "The function must return {2}, and this is {1}."},
@@ -248,8 +272,17 @@ constexpr std::array meanings{
 
 }  // namespace
 
+std::string in_our_names(std::string message) {
+    for (const auto& [tests, ours] : {std::pair{"glassbox::test::UnsureTruth", "Truth"},
+                                      {"test::UnsureTruth", "Truth"},
+                                      {"glassbox::test::Unsure", "Real"},
+                                      {"test::Unsure", "Real"}})
+        replace_all(message, tests, ours);
+    return message;
+}
+
 std::string in_plain_words(std::string_view message, const OperatorInSource& operation) {
-    const std::string text = with_operator(without_aliases(message), operation.sign);
+    const std::string text = with_operator(in_our_names(without_aliases(message)), operation.sign);
     for (const Meaning& meaning : meanings) {
         const auto taken = matched(text, meaning.pattern);
         if (!taken) continue;

@@ -29,6 +29,7 @@ struct Brace {
     Spot spot;
     std::size_t of_line = 0, of_statement = 0;  ///< their indentations
     bool is_namespace = false;                  ///< what stands in it is not indented
+    bool is_list = false;                       ///< of values, as in return {a, b}: no statement ends in it
 };
 
 /// An #if with its branches. Braces are counted in the first branch that may be compiled, as each may have its own.
@@ -50,6 +51,7 @@ public:
     const std::vector<Spot>& surplus() const { return surplus_; }
     const std::optional<Unclosed>& text() const { return text_; }
     const std::optional<Unclosed>& comment() const { return comment_; }
+    const std::optional<Unclosed>& list() const { return list_; }          ///< of values
     const std::optional<Unclosed>& missing() const { return missing_; }    ///< by indentation
     const std::optional<Unclosed>& too_many() const { return too_many_; }  ///< by indentation
     const std::optional<Spot>& end_of_all() const { return end_of_all_; }  ///< where a namespace ends, but not the file
@@ -190,7 +192,12 @@ private:
         else begin_statement();
         if (c == '(') ++statement_.parentheses;
         if (c == ')') --statement_.parentheses;
-        if (c == ';' && statement_.parentheses <= 0) statement_ = {};
+        if (c == ';' && statement_.parentheses <= 0) {
+            if (!list_ && !is_dead() && !braces_.empty() && braces_.back().is_list)
+                list_ = {braces_.back().spot.line, braces_.back().spot.column,
+                         fmt::format("This {{ is never closed: its }} is missing before the ; of line {}.", line_)};
+            statement_ = {};
+        }
         step();
     }
 
@@ -220,7 +227,12 @@ private:
         const bool is_namespace = before.find("namespace ") != std::string_view::npos || before == "namespace" ||
                                   before.starts_with("extern \"");
         if (braces_.empty() && is_namespace) end_of_all_.reset();
-        braces_.push_back({spot(), indentation(), alone ? indentation() : statement_.indentation, is_namespace});
+        const std::string_view last = before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
+        const bool in_list = !braces_.empty() && braces_.back().is_list;  // a [ in it begins a function's body
+        const bool is_list =
+            in_list ? before.find('[') == std::string_view::npos : last.ends_with("return") || last.ends_with('=');
+        braces_.push_back(
+            {spot(), indentation(), alone ? indentation() : statement_.indentation, is_namespace, is_list});
         statement_ = {};
     }
 
@@ -246,7 +258,7 @@ private:
     std::vector<Brace> braces_;
     std::vector<Branches> branches_;
     std::vector<Spot> surplus_;
-    std::optional<Unclosed> text_, comment_, missing_, too_many_;
+    std::optional<Unclosed> text_, comment_, list_, missing_, too_many_;
     std::optional<Spot> last_end_, end_of_all_;
     bool raw_ = false, cut_off_ = false;
 };
@@ -258,6 +270,7 @@ std::optional<Unclosed> unclosed_in(std::string_view source) {
     if (plain.text()) return plain.text();
     if (plain.is_cut_off() || plain.is_even()) return {};
     if (plain.comment()) return plain.comment();
+    if (plain.list()) return plain.list();
     const Reading by_indentation(source, true);
     if (by_indentation.is_even())
         return by_indentation.missing() ? by_indentation.missing() : by_indentation.too_many();

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "learn/check/facts.hpp"
@@ -19,196 +22,134 @@ namespace {
 
 using Checks = std::vector<const CheckMade*>;
 
-/// What is so of each of some checks, a row for each fact.
-struct Row {
-    std::string yes, no;
-    bool is_of_the_outcome = false;
-    std::vector<signed char> holds;  ///< 1, 0, or -1 where it cannot be said of that check
-};
-
-/// Facts and their contraries.
-std::vector<Row> rows_of(const Checks& checks) {
-    std::vector<Row> rows;
-    std::map<std::string, std::size_t> place;
-    for (std::size_t i = 0; i < checks.size(); ++i)
-        for (Fact& fact : facts_of(*checks[i])) {
-            const auto [found, is_new] = place.emplace(fact.yes, rows.size());
-            if (is_new) {
-                const signed char elsewhere = fact.no.empty() ? 0 : -1;
-                rows.push_back({std::move(fact.yes), std::move(fact.no), fact.is_of_the_outcome, {}});
-                rows.back().holds.assign(checks.size(), elsewhere);
-            }
-            rows[found->second].holds[i] = fact.holds;
-        }
-    const std::size_t facts = rows.size();
-    for (std::size_t k = 0; k < facts; ++k) {
-        if (rows[k].no.empty()) continue;
-        Row contrary{rows[k].no, rows[k].yes, rows[k].is_of_the_outcome, rows[k].holds};
-        for (signed char& one : contrary.holds) one = one < 0 ? one : static_cast<signed char>(1 - one);
-        rows.push_back(std::move(contrary));
-    }
-    return rows;
-}
-
-/// Where the wrong checks are: only where something is so.
-struct Split {
-    std::string where, elsewhere;
-    std::size_t wrong = 0;            ///< of the checks of which it is so
-    std::size_t right = 0;            ///< the same
-    std::size_t right_elsewhere = 0;  ///< of those of which it is not
-    bool exact() const { return right == 0; }
-};
-
-bool is_so_of_all_wrong(const Checks& checks, const std::vector<signed char>& is) {
-    for (std::size_t i = 0; i < checks.size(); ++i)
-        if (!checks[i]->passed && is[i] != 1) return false;
-    return true;
-}
-
-std::optional<Split> split_by(const Checks& checks, const std::vector<signed char>& is) {
-    if (!is_so_of_all_wrong(checks, is)) return {};
-    Split split;
-    for (std::size_t i = 0; i < checks.size(); ++i) {
-        if (!checks[i]->passed) ++split.wrong;
-        else if (is[i] == 1) ++split.right;
-        else if (is[i] == 0) ++split.right_elsewhere;
-    }
-    return split.right_elsewhere > 0 ? std::optional(split) : std::nullopt;
-}
-
-std::optional<Split> split_by(const Checks& checks, const Row& row) {
-    std::optional<Split> split = split_by(checks, row.holds);
-    if (split) split->where = row.yes, split->elsewhere = row.no.empty() ? "anything else is" : row.no;
-    return split;
-}
-
-/// Returns the fact that tells wrong checks from right ones exactly, the most telling one if there are several; else
-/// two facts that do so together; else the fact that does it best, if it leaves half of what is right elsewhere.
-std::optional<Split> best_split(const Checks& checks) {
-    const std::vector<Row> rows = rows_of(checks);
-    std::vector<const Row*> possible;  // what is so of all that is wrong
-    std::optional<Split> best;
-    double best_share = 0.5;
-    for (const Row& row : rows) {
-        if (!is_so_of_all_wrong(checks, row.holds)) continue;
-        possible.push_back(&row);
-        std::optional<Split> split = split_by(checks, row);
-        if (!split) continue;
-        const double all = static_cast<double>(split->right + split->right_elsewhere);
-        constexpr double of_the_outcome = 0.2;  // says less
-        const double share =
-            static_cast<double>(split->right) / all + (row.is_of_the_outcome && !split->exact() ? of_the_outcome : 0);
-        if (split->exact()) {
-            if (!best || !best->exact()) best = std::move(split);
-        } else if ((!best || !best->exact()) && share < best_share) {
-            best = std::move(split);
-            best_share = share;
-        }
-    }
-    if (best && best->exact()) return best;
-    constexpr std::size_t most_pairs = 60;
-    possible.resize(std::min(possible.size(), most_pairs));
-    for (std::size_t k = 0; k < possible.size(); ++k)
-        for (std::size_t i = 0; i < k; ++i) {
-            std::vector<signed char> both = possible[i]->holds;
-            for (std::size_t n = 0; n < both.size(); ++n) {
-                const signed char one = both[n], other = possible[k]->holds[n];
-                both[n] = one == 0 || other == 0 ? 0 : std::min(one, other);  // where one is not so, not both are
-            }
-            std::optional<Split> split = split_by(checks, both);
-            if (!split || !split->exact() || possible[i]->no == possible[k]->yes) continue;
-            split->where = fmt::format("{} and {}", possible[i]->yes, possible[k]->yes);
-            split->elsewhere = "one of the two is not so";
-            return split;
-        }
-    return best;
+Checks those(const Checks& checks, const auto& are) {
+    Checks some;
+    std::ranges::copy_if(checks, std::back_inserter(some), [&](const CheckMade* one) { return are(*one); });
+    return some;
 }
 
 Checks wrong_ones(const Checks& checks) {
-    Checks wrong;
-    std::ranges::copy_if(checks, std::back_inserter(wrong), [](const CheckMade* one) { return !one->passed; });
-    return wrong;
+    return those(checks, [](const CheckMade& one) { return !one.passed; });
 }
 
-std::string sentence_of(const Split& split, const std::string& subject) {
-    if (split.exact())
-        return fmt::format("{} wrong wherever {} ({}), and right wherever {} ({}).", subject, split.where,
-                           counted(split.wrong, "check"), split.elsewhere, split.right_elsewhere);
-    return fmt::format("{} wrong only where {} ({} of {}), and right wherever {} ({}).", subject, split.where,
-                       split.wrong, counted(split.wrong + split.right, "such check"), split.elsewhere,
-                       split.right_elsewhere);
-}
-
-/// "first_of(" of "first_of(Real(6), Real(14)).t", and what stands after its parenthesis; the whole of anything else.
-std::string without_arguments(const std::string& expression) {
-    const std::size_t open = expression.find('('), close = expression.rfind(')');
-    if (open == std::string::npos || close == std::string::npos || close < open) return expression;
-    return expression.substr(0, open) + "(…)" + expression.substr(close + 1);
-}
-
-/// Some of the function's checks, and what to call them.
-struct Group {
-    std::string subject;
-    Checks checks;
+/// What is so of the arguments of some checks, of how many, and of which.
+struct Row {
+    Fact fact;
+    std::size_t known = 0;
+    bool is_so_of_the_wrong = true;  ///< and not of the right ones
+    bool is_so_of_the_right = true;  ///< the other way round
 };
 
-/// All checks; those of numbers, or the conditions; those that are written like the one that is shown; that one alone.
-std::vector<Group> groups_of(const Checks& all, const Checks& of_shown) {
-    std::vector<Group> groups{{"It is", all}};
-    if (of_shown.empty()) return groups;
-    const CheckMade& shown = *of_shown[0];
-    const auto add = [&](std::string subject, const auto& belongs) {
-        Group group{std::move(subject), {}};
-        for (const CheckMade* one : all)
-            if (belongs(*one)) group.checks.push_back(one);
-        if (group.checks.size() < groups.back().checks.size()) groups.push_back(std::move(group));
-    };
-    add(shown.is_condition ? "Answers of yes or no are" : "Numbers are",
-        [&](const CheckMade& one) { return one.is_condition == shown.is_condition; });
-    const std::string written = without_arguments(shown.expression);
-    add(fmt::format("`{}` is", written),
-        [&](const CheckMade& one) { return without_arguments(one.expression) == written; });
-    groups.push_back({"In the check above it is", of_shown});
-    return groups;
+/// Facts that tell the wrong checks from the right ones, and may be said: that hold of all, or of none, that are wrong,
+/// and the other way round of all that are right. Each side must have enough inputs, since with few of them some fact
+/// always does so by chance.
+std::string about_places(const Checks& checks, std::string_view function) {
+    std::vector<Row> rows;
+    std::map<std::string, std::size_t> place;
+    std::set<std::string> inputs_of_wrong, inputs_of_right;
+    std::size_t wrong = 0;
+    for (const CheckMade* one : checks) {
+        const std::optional<OwnCall> call = own_call(*one, function);
+        if (!call || call->arguments.empty()) return "";
+        std::string inputs;
+        for (const Input& argument : call->arguments) inputs += fmt::format("{};", fmt::join(argument.numbers, ","));
+        (one->passed ? inputs_of_right : inputs_of_wrong).insert(std::move(inputs));
+        wrong += one->passed ? 0 : 1;
+        for (Fact& fact : facts_of(call->arguments)) {
+            const auto [found, is_new] = place.emplace(fact.yes, rows.size());
+            if (is_new) rows.push_back({fact});
+            Row& row = rows[found->second];
+            ++row.known;
+            row.is_so_of_the_wrong &= fact.holds != one->passed;
+            row.is_so_of_the_right &= fact.holds == one->passed;
+        }
+    }
+    constexpr std::size_t enough = 5;
+    const bool enough_wrong = inputs_of_wrong.size() >= enough, enough_right = inputs_of_right.size() >= enough;
+    if (wrong == 0 || wrong == checks.size()) return "";
+    for (const Row& row : rows) {
+        const Fact& fact = row.fact;
+        if (row.known != checks.size() || (!row.is_so_of_the_wrong && !row.is_so_of_the_right)) continue;
+        const bool may_be_wrong = enough_wrong || (fact.is_special && row.is_so_of_the_wrong);
+        const bool may_be_right = enough_right || (fact.is_special && row.is_so_of_the_right);
+        if (!may_be_wrong || !may_be_right) continue;
+        const auto& [where, elsewhere] =
+            row.is_so_of_the_wrong ? std::pair(fact.yes, fact.no) : std::pair(fact.no, fact.yes);
+        return fmt::format("It is wrong wherever {} ({}), and right wherever {} ({}).", where, counted(wrong, "check"),
+                           elsewhere, checks.size() - wrong);
+    }
+    return "";
 }
 
-/// Where the function is wrong, and where it is right; "" if nothing that we know of tells the two apart.
-std::string about_places(const Checks& all, const Checks& of_shown) {
-    std::string best;
-    for (const Group& group : groups_of(all, of_shown)) {
-        const std::size_t wrong = wrong_ones(group.checks).size();
-        if (wrong == 0 || wrong == group.checks.size()) continue;
-        const std::optional<Split> split = best_split(group.checks);
-        if (!split) continue;
-        if (split->exact()) return sentence_of(*split, group.subject);
-        if (best.empty()) best = sentence_of(*split, group.subject);
-    }
-    return best;
+/// Which member of the answer is wrong, if it is one alone, and others are right.
+std::string about_members(const Checks& checks) {
+    const Checks wrong = wrong_ones(checks);
+    if (wrong.empty()) return "";
+    const std::string member = member_checked(*wrong[0]);
+    const auto is_of_it = [&](const CheckMade& one) { return member_checked(one) == member; };
+    const Checks of_it = those(checks, is_of_it);
+    if (member.empty() || of_it.size() == checks.size() || those(wrong, is_of_it).size() != wrong.size()) return "";
+    if (of_it.size() == 1) return fmt::format("It is the one check of `{}`.", member);
+    return wrong.size() == of_it.size()
+               ? fmt::format("Those are the {} of `{}`.", counted(of_it.size(), "check"), member)
+           : wrong.size() == 1
+               ? fmt::format("It is one of the {} of `{}`.", counted(of_it.size(), "check"), member)
+               : fmt::format("All of them are among the {} of `{}`.", counted(of_it.size(), "check"), member);
 }
 
 /// "Every wrong number is half of what is expected."
-std::string about(const Checks& wrong) {
-    const std::string words = relation_of(wrong);
+std::string about_numbers(const Checks& wrong, std::string_view function) {
+    const std::string words = relation_of(wrong, function);
     if (words.empty()) return "";
-    if (wrong[0]->is_condition) return fmt::format("Where yes or no is asked, every wrong answer {}.", words);
-    return fmt::format("{} {} {}.", wrong.size() > 1 ? "Every wrong" : "The wrong",
+    return fmt::format("{} {} {}", wrong.size() > 1 ? "every wrong" : "the wrong",
                        wrong[0]->got.size() == 3 ? "vector" : "number", words);
 }
 
-/// What the wrong answers have in common: all of the function's, or those of the check that is shown.
-std::vector<std::string> about_answers(const Checks& all, const Checks& of_shown) {
-    std::vector<std::string> sentences;
-    for (const bool is_condition : {false, true}) {
-        Checks wrong = wrong_ones(all);
-        std::erase_if(wrong, [&](const CheckMade* one) { return one->is_condition != is_condition; });
-        std::string words = about(wrong);
-        if (!words.empty()) sentences.push_back(std::move(words));
+/// "Every wrong answer is no, where yes is right", of a function that answers so, if both answers were asked for.
+std::string about_conditions(const Checks& checks, std::string_view function) {
+    const auto is_right = [](const CheckMade& one, double answer) {
+        return one.expected.size() == 1 && one.expected[0] == answer;
+    };
+    if (!std::ranges::all_of(checks, [&](const CheckMade* one) {
+            const auto call = own_call(*one, function);
+            return one->is_condition && call && call->is_whole_answer;
+        }))
+        return "";
+    const Checks wrong = wrong_ones(checks);
+    for (const double answer : {1.0, 0.0}) {
+        const auto is_this = [&](const CheckMade& one) { return is_right(one, answer); };
+        const auto is_other = [&](const CheckMade& one) { return is_right(one, 1 - answer); };
+        if (wrong.empty() || those(wrong, is_this).size() != wrong.size() || those(checks, is_other).empty()) continue;
+        return fmt::format("{} wrong answer is {}.", wrong.size() > 1 ? "Every" : "The",
+                           answer == 1 ? "no, where yes is right" : "yes, where no is right");
     }
-    if (!sentences.empty()) return sentences;
-    const Checks wrong = wrong_ones(of_shown);
-    std::string words = wrong.empty() || wrong[0]->is_condition ? "" : about(wrong);
-    if (words.empty()) return {};
-    return {"In the check above: " + words};
+    return "";
+}
+
+/// Whether there were more checks than those: of each line of a test, only so many are kept.
+bool are_not_all(const Checks& kept) {
+    std::map<std::tuple<std::string_view, std::size_t, bool>, int> counts;
+    return std::ranges::any_of(kept, [&](const CheckMade* one) {
+        return ++counts[{one->test, one->line, one->passed}] == most_checks_kept;
+    });
+}
+
+std::string as_sentence(std::string words) {
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words + '.';
+}
+
+/// What the wrong answers have in common: all of the function's, or those of the check that is shown.
+std::string about_answers(const Checks& all, const Checks& of_shown, const Function& function) {
+    const bool answers_yes_or_no =
+        function.returns == "bool" || function.returns.starts_with("Truth<");  // and no std::optional, which is nothing
+    if (std::string words = answers_yes_or_no ? about_conditions(all, function.name) : ""; !words.empty()) return words;
+    const auto is_number = [](const CheckMade& one) { return !one.passed && !one.is_condition; };
+    const Checks wrong = those(all, is_number), wrong_here = those(of_shown, is_number);
+    if (std::string words = about_numbers(wrong, function.name); !words.empty()) return as_sentence(words);
+    if (std::string words = about_numbers(wrong_here, function.name); !words.empty())
+        return fmt::format("In the check above {}.", words);
+    return "";
 }
 
 /// The tests of the function that fail, and those that pass, by name.
@@ -256,20 +197,22 @@ std::string description(const Exercise& exercise, const TestRun& run, const Judg
     }
     std::vector<std::string> sentences;
     const std::size_t wrong = wrong_ones(all).size();
-    if (wrong == 1 && all.size() == 1) sentences.push_back("The one check looked at is wrong.");
+    const std::string of =
+        fmt::format("{}{}", judgement.function ? fmt::format(" of `{}`", judgement.function->name) : "",
+                    are_not_all(all) ? " that were kept" : "");
+    if (wrong == 1 && all.size() == 1) sentences.push_back(fmt::format("The one check{} fails.", of));
     else if (wrong > 0)
-        sentences.push_back(wrong == all.size()
-                                ? fmt::format("All {} looked at are wrong.", counted(all.size(), "check"))
-                                : fmt::format("{} of {} looked at {} wrong.", wrong, counted(all.size(), "check"),
-                                              wrong == 1 ? "is" : "are"));
+        sentences.push_back(fmt::format("{} {}{} {}.", wrong == all.size() ? "All" : fmt::format("{} of", wrong),
+                                        counted(all.size(), "check"), of, wrong == 1 ? "fails" : "fail"));
     if (right_in_double) sentences.push_back("In double all is right.");
     if (right_in_float && any_in_float) sentences.push_back("In float all is right.");
-    const std::string places = about_places(all, of_shown);
-    const bool is_told_where = !places.empty();
-    if (is_told_where) sentences.push_back(places);
-    const std::vector<std::string> answers = about_answers(all, of_shown);
-    sentences.insert(sentences.end(), answers.begin(), answers.end());
-    if (!is_told_where || answers.empty()) {
+    const Function none{};
+    const Function& function = judgement.function ? *judgement.function : none;
+    const std::string places = about_places(all, function.name), members = about_members(all);
+    const std::string answers = about_answers(all, of_shown, function);
+    for (const std::string& words : {places.empty() ? members : places, answers})
+        if (!words.empty()) sentences.push_back(words);
+    if (places.empty() || answers.empty()) {
         std::string tests = about_tests(exercise, run, judgement, scalar);
         if (!tests.empty()) sentences.push_back(std::move(tests));
     }

@@ -63,7 +63,7 @@ std::optional<FailingScene> failing_scene(const std::string& test, const Failure
         at = 0;
         plane = plane_about(P, D, step, at, at);
     }
-    std::string title = test;
+    std::string title(name_and_scalar(test).first);
     std::replace_if(
         title.begin(), title.end(), [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < ' '; },
         '\'');

@@ -6,8 +6,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
+#include <iterator>
+#include <numbers>
 #include <set>
+
+#include "learn/check/facts.hpp"
 
 namespace glassbox::learn {
 namespace relations {  // several files are compiled as one: these names are only ours
@@ -69,19 +72,43 @@ std::string shown(const std::vector<double>& v) {
     return fmt::format("({}, {}, {})", number(v[0]), number(v[1]), number(v[2]));
 }
 
-/// The factor between got and expected, if it is one and the same everywhere.
+/// Whether so many of some checks expect something else each that what they have in common is hardly chance.
+bool are_various(const Checks& wrong) {
+    constexpr std::size_t enough = 3;
+    std::set<std::vector<double>> expected;
+    for (const CheckMade* one : wrong) expected.insert(one->expected);
+    return expected.size() >= enough;
+}
+
+struct Factor {
+    double number;
+    std::string_view words;
+};
+
+/// The factors that mistakes make: a sign, a 2 or a 4, degrees for radians.
+constexpr double pi = std::numbers::pi;
+constexpr std::array factors{Factor{-1, "is minus what is expected: the sign is turned"},
+                             Factor{0.5, "is half of what is expected"},
+                             Factor{-0.5, "is minus half of what is expected"},
+                             Factor{2, "is twice what is expected"},
+                             Factor{-2, "is minus twice what is expected"},
+                             Factor{3, "is 3 times what is expected"},
+                             Factor{1 / 3.0, "is a third of what is expected"},
+                             Factor{4, "is 4 times what is expected"},
+                             Factor{0.25, "is a quarter of what is expected"},
+                             Factor{pi, "is π times what is expected"},
+                             Factor{1 / pi, "is what is expected, divided by π"},
+                             Factor{2 * pi, "is 2π times what is expected"},
+                             Factor{1 / (2 * pi), "is what is expected, divided by 2π"},
+                             Factor{pi / 180, "is what is expected, times π/180"},
+                             Factor{180 / pi, "is what is expected, times 180/π"}};
+
+/// The factor between got and expected, if it is one of those, and the same everywhere.
 std::string factor(const Checks& wrong) {
-    double k = std::numeric_limits<double>::quiet_NaN();
-    for (const CheckMade* one : wrong)
-        for (std::size_t i = 0; i < one->expected.size(); ++i)
-            if (std::isnan(k) && one->expected[i] != 0) k = one->got[i] / one->expected[i];
-    if (!std::isfinite(k) || k == 0 || close(k, 1)) return "";
-    if (!every(wrong, [&](const CheckMade& one) { return close(one.got, times(k, one.expected)); })) return "";
-    if (close(k, -1)) return "is minus what is expected: the sign is turned";
-    if (close(k, 0.5)) return "is half of what is expected";
-    if (close(k, 2)) return "is twice what is expected";
-    const bool is_simple = close(k, std::round(k)) || close(1 / k, std::round(1 / k));
-    return wrong.size() > 1 || is_simple ? fmt::format("is {} times what is expected", number(k)) : "";
+    for (const auto& [k, words] : factors)
+        if (every(wrong, [&, k = k](const CheckMade& one) { return close(one.got, times(k, one.expected)); }))
+            return std::string(words);
+    return "";
 }
 
 /// Which components are wrong, of vectors, and how, where it is the same in all of them.
@@ -92,11 +119,15 @@ std::string components(const Checks& wrong) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (every(wrong, [&](const CheckMade& one) { return close(one.got[i], one.expected[i]); })) continue;
         differ.emplace_back(names[i]);
-        turned &= every(wrong, [&](const CheckMade& one) { return close(one.got[i], -one.expected[i]); });
+        Checks not_zero;
+        std::ranges::copy_if(wrong, std::back_inserter(not_zero),
+                             [&](const CheckMade* one) { return one->expected[i] != 0; });
+        turned &= are_various(not_zero) &&
+                  every(wrong, [&](const CheckMade& one) { return close(one.got[i], -one.expected[i]); });
         only_zero &= every(wrong, [&](const CheckMade& one) { return one.got[i] == 0; });
     }
     if (differ.empty() || differ.size() == 3) return "";
-    return fmt::format("is wrong in {} alone{}", fmt::join(differ, " and "),
+    return fmt::format("differs from what is expected in {} alone{}", fmt::join(differ, " and "),
                        turned      ? ", where the sign is turned"
                        : only_zero ? fmt::format(", which {} 0", differ.size() == 1 ? "is" : "are")
                                    : "");
@@ -139,28 +170,28 @@ std::string of_numbers(const Checks& wrong) {
     const auto each = [&](const std::function<double(double)>& f) {
         return every(wrong, [&](const CheckMade& one) { return close(one.got[0], f(one.expected[0])); });
     };
-    if (each([](double x) { return std::abs(x); })) return "is right but for its sign: it is never negative";
-    if (every(wrong, [](const CheckMade& one) { return close(std::abs(one.got[0]), std::abs(one.expected[0])); }))
-        return "is minus what is expected: the sign is turned";
     if (each([](double x) { return x * x; })) return "is the square of what is expected";
     if (each([](double x) { return std::sqrt(x); })) return "is the square root of what is expected";
     if (each([](double x) { return 1 / x; })) return "is 1 over what is expected";
     const double more = wrong[0]->got[0] - wrong[0]->expected[0];
-    if (wrong.size() > 1 &&
-        every(wrong, [&](const CheckMade& one) { return close(one.got[0], one.expected[0] + more); }))
+    if (every(wrong, [&](const CheckMade& one) { return close(one.got[0], one.expected[0] + more); }))
         return fmt::format("is what is expected {} {}", more > 0 ? "plus" : "minus", number(std::abs(more)));
     return "";
 }
 
-/// Where what came out is one of the variables, or numbers, that went in.
-std::string an_input(const Checks& wrong) {
-    for (const Input& candidate : wrong[0]->inputs) {
-        const bool same = every(wrong, [&](const CheckMade& one) {
-            const auto found = std::ranges::find(one.inputs, candidate.name, &Input::name);
-            return one.expression.find(candidate.name + ")") == std::string::npos && found != one.inputs.end() &&
-                   found->name != one.expression && found->numbers == one.got && !is_zero(one.got);
-        });
-        if (same) return fmt::format("is the very `{}`", candidate.name);
+/// Where what came out is one of the arguments.
+std::string an_argument(const Checks& wrong, std::string_view function) {
+    std::vector<OwnCall> calls;
+    for (const CheckMade* one : wrong)
+        if (auto call = own_call(*one, function)) calls.push_back(*std::move(call));
+        else return "";
+    for (const Input& candidate : calls[0].arguments) {
+        bool same = true;
+        for (std::size_t i = 0; i < wrong.size() && same; ++i) {
+            const auto found = std::ranges::find(calls[i].arguments, candidate.name, &Input::name);
+            same = found != calls[i].arguments.end() && found->numbers == wrong[i]->got && !is_zero(wrong[i]->got);
+        }
+        if (same) return fmt::format("is {}, unchanged", candidate.name);
     }
     return "";
 }
@@ -178,7 +209,8 @@ std::string how_far(const Checks& wrong) {
     return fmt::format("is nearly right: off by rounding, by {:.1g} of its size or less", most * 1.05);
 }
 
-std::string too_large_or_small(const Checks& wrong) {
+std::string too_large_or_small(const Checks& wrong, std::string_view function) {
+    if (!every(wrong, [&](const CheckMade& one) { return own_call(one, function).has_value(); })) return "";
     const auto size = [](const std::vector<double>& v) { return v.size() == 1 ? v[0] : size_of(v); };
     const bool are_vectors = wrong[0]->got.size() == 3;
     if (every(wrong, [&](const CheckMade& one) { return size(one.got) > size(one.expected); }))
@@ -188,24 +220,17 @@ std::string too_large_or_small(const Checks& wrong) {
     return "";
 }
 
-/// Whether a condition compares two things: then yes and no say nothing of what came out.
-bool compares(const std::string& expression) {
-    return std::ranges::any_of(std::array{" < ", " > ", "<=", ">=", "==", "!="},
-                               [&](const char* sign) { return expression.find(sign) != std::string::npos; });
+/// What may be chance where few numbers are compared.
+std::string of_various(const Checks& wrong, std::string_view function) {
+    if (every(wrong, [&](const CheckMade& one) { return one.got == wrong[0]->got; }))
+        return fmt::format("is {}", shown(wrong[0]->got));
+    for (const auto& known : {factor, wrong[0]->got.size() == 3 ? of_vectors : of_numbers})
+        if (std::string words = known(wrong); !words.empty()) return words;
+    return an_argument(wrong, function);
 }
 
-/// A condition's outcome is yes or no.
-std::string of_conditions(const Checks& wrong) {
-    if (!every(wrong, [](const CheckMade& one) { return one.expected.size() == 1 && !compares(one.expression); }))
-        return "";
-    if (every(wrong, [](const CheckMade& one) { return one.expected[0] == 1; })) return "is no, where yes is right";
-    if (every(wrong, [](const CheckMade& one) { return one.expected[0] == 0; })) return "is yes, where no is right";
-    return "";
-}
-
-std::string relation_of(const Checks& wrong) {
+std::string relation_of(const Checks& wrong, std::string_view function) {
     if (wrong.empty()) return "";
-    if (wrong[0]->is_condition) return of_conditions(wrong);
     const std::size_t count = wrong[0]->got.size();
     if (!every(wrong, [&](const CheckMade& one) {
             return count > 0 && one.got.size() == count && one.expected.size() == count;
@@ -217,18 +242,21 @@ std::string relation_of(const Checks& wrong) {
     if (got([](double x) { return std::isnan(x); })) return "is not a number";
     if (got([](double x) { return std::isinf(x); })) return "is infinite";
     if (!every(wrong, [](const CheckMade& one) { return is_finite(one.got) && is_finite(one.expected); })) return "";
-    if (every(wrong, [](const CheckMade& one) { return is_zero(one.got); })) return "is 0";
-    for (const auto& known : {how_far, factor, count == 3 ? of_vectors : of_numbers, an_input})
-        if (std::string words = known(wrong); !words.empty()) return words;
-    if (wrong.size() > 1 && every(wrong, [&](const CheckMade& one) { return one.got == wrong[0]->got; }))
-        return fmt::format("is {}", shown(wrong[0]->got));
-    return wrong.size() > 1 ? too_large_or_small(wrong) : "";  // of one it is seen
+    if (std::string words = how_far(wrong); !words.empty()) return words;
+    const bool various = are_various(wrong);
+    if (various)
+        if (std::string words = of_various(wrong, function); !words.empty()) return words;
+    if (count == 3)
+        if (std::string words = components(wrong); !words.empty()) return words;
+    return various ? too_large_or_small(wrong, function) : "";
 }
 
 }  // namespace relations
 
 bool as_good_as_equal(double a, double b) { return relations::close(a, b); }
 
-std::string relation_of(const std::vector<const CheckMade*>& wrong) { return relations::relation_of(wrong); }
+std::string relation_of(const std::vector<const CheckMade*>& wrong, std::string_view function) {
+    return relations::relation_of(wrong, function);
+}
 
 }  // namespace glassbox::learn

@@ -65,6 +65,7 @@ Failure failure_from(const Json& json) {
     failure.expression = text("expression");
     failure.expected = text("expected");
     failure.got = text("got");
+    failure.negated = json.value("negated", false);
     failure.ulps = text("ulps");
     failure.threw = text("threw");
     failure.contexts = texts("contexts");

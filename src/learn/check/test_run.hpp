@@ -40,6 +40,7 @@ struct Failure {
     std::vector<Input> inputs;          ///< what the check was made from
     std::vector<double> ray;            ///< P and D of the ray that was traced last; empty if none was
     std::vector<double> surface;        ///< against which: a sphere's centre and radius, or a triangle's vertices
+    bool negated = false;               ///< the condition should not hold
 
     /// The function that is not written yet, if that is all that went wrong; else "".
     std::string not_written() const;
@@ -53,7 +54,10 @@ struct CaseResult {
     std::string missing = {};  ///< the function that is not written yet and ended the case, whatever failed before
 };
 
-/// A check as it was made once, passed or failed. Of each check in a case only the first 60 of either are kept.
+/// Of each check in a case only so many passes are kept, and so many failures.
+inline constexpr int most_checks_kept = 60;  // as runner/main.cpp has it, which includes nothing of ours but what it must
+
+/// A check as it was made once, passed or failed.
 struct CheckMade {
     std::string test;  ///< the case
     std::size_t line = 0;
