@@ -215,6 +215,15 @@ TEST_CASE("a member that alone is wrong is named, with the counts of its own che
     CHECK_FALSE(has(described({member("one.b", false), member("two.b", true)}), "`b`"));
 }
 
+TEST_CASE("where not all checks were kept, their number is none of all") {
+    CHECK(has(described({compared({1}, {2})}), "The one check of `f` fails."));
+    CHECK(has(described({compared({1}, {2}), compared({3}, {2})}), "All 2 checks of `f` fail."));
+    std::vector<CheckMade> many(60, compared({1}, {2}));
+    CHECK(has(described(many), "All checks of `f` fail."));
+    many.push_back(compared({1}, {1}));
+    CHECK(has(described(many), "Of 61 checks of `f`, 60 fail."));
+}
+
 TEST_CASE("a yes or no is spoken of where the function answers so, and both are asked for") {
     const auto asked = [](bool right_answer, bool passed) {
         CheckMade one = compared({right_answer ? 1.0 : 0.0}, {passed == right_answer ? 1.0 : 0.0});
