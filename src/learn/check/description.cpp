@@ -154,12 +154,18 @@ std::string about_answers(const Checks& all, const Checks& of_shown, const Funct
     const bool answers_yes_or_no =
         function.returns == "bool" || function.returns.starts_with("Truth<");  // and no std::optional, which is nothing
     if (std::string words = answers_yes_or_no ? about_conditions(all, function.name) : ""; !words.empty()) return words;
-    const auto is_number = [](const CheckMade& one) { return !one.passed && !one.is_condition; };
-    const Checks wrong = those(all, is_number), wrong_here = those(of_shown, is_number);
-    if (std::string words = about_numbers(wrong, function.name); !words.empty()) return as_sentence(words);
-    if (std::string words = about_numbers(wrong_here, function.name); !words.empty())
-        return fmt::format("In the check above {}.", words);
-    return "";
+    const auto in_common = [&](const Checks& checks) -> std::string {
+        for (const std::size_t count : {std::size_t{3}, std::size_t{1}}) {  // vectors, numbers
+            const Checks wrong = those(checks, [&](const CheckMade& one) {
+                return !one.passed && !one.is_condition && one.got.size() == count;
+            });
+            if (std::string words = about_numbers(wrong, function.name); !words.empty()) return words;
+        }
+        return "";
+    };
+    if (std::string words = in_common(all); !words.empty()) return as_sentence(words);
+    const std::string words = in_common(of_shown);
+    return words.empty() ? "" : fmt::format("In the check above {}.", words);
 }
 
 /// The tests of the function that fail, and those that pass, by name.
