@@ -144,7 +144,9 @@ TEST_CASE("of vectors it is said which component is wrong, or that only the leng
         "differs from what is expected in y alone, where the sign is turned");
     CHECK(relation({compared({1, 2, 3}, {1, -2, 3}), compared({4, 5, 6}, {4, -5, 6})}) ==
           "differs from what is expected in y alone");
-    CHECK(relation({compared({1, 2, 3}, {1, 2, 0})}) == "differs from what is expected in z alone, which is 0");
+    CHECK(relation({compared({1, 2, 3}, {1, 2, 0}), compared({4, 5, 6}, {4, 5, 0})}) ==
+          "differs from what is expected in z alone, which is 0");
+    CHECK(relation({compared({1, 2, 3}, {1, 2, 0})}) == "");  // of one it is seen
     CHECK(relation({compared({1, 2, 3}, {2, 1, 3}), compared({4, 5, 6}, {5, 4, 6}), compared({7, 8, 0}, {8, 7, 0})}) ==
           "has x and y exchanged");
     CHECK(relation({compared({1, 0, 0}, {5, 0, 0}), compared({0, 1, 0}, {0, 7, 0}), compared({0, 0, 1}, {0, 0, 2})}) ==
@@ -215,6 +217,15 @@ TEST_CASE("a member that alone is wrong is named, with the counts of its own che
     CHECK_FALSE(has(described({member("one.b", false), member("two.b", true)}), "`b`"));
 }
 
+TEST_CASE("where not all checks were kept, their number is none of all") {
+    CHECK(has(described({compared({1}, {2})}), "The one check of `f` fails."));
+    CHECK(has(described({compared({1}, {2}), compared({3}, {2})}), "All 2 checks of `f` fail."));
+    std::vector<CheckMade> many(60, compared({1}, {2}));
+    CHECK(has(described(many), "All checks of `f` fail."));
+    many.push_back(compared({1}, {1}));
+    CHECK(has(described(many), "Of 61 checks of `f`, 60 fail."));
+}
+
 TEST_CASE("a yes or no is spoken of where the function answers so, and both are asked for") {
     const auto asked = [](bool right_answer, bool passed) {
         CheckMade one = compared({right_answer ? 1.0 : 0.0}, {passed == right_answer ? 1.0 : 0.0});
@@ -231,12 +242,15 @@ TEST_CASE("a yes or no is spoken of where the function answers so, and both are 
     CHECK_FALSE(has(described({asked(true, false), asked(false, true)}), "answer"));
 }
 
-TEST_CASE("in the check above is said of one check, or of all that were made there") {
+TEST_CASE("what is so of all wrong vectors is said, or what is so of all that were made in the check above") {
     CheckMade shown = compared({1, 2, 3}, {1, 2, 5}), other = compared({4}, {5});
     other.line = 8;
-    CHECK(has(described({shown, other}),
-              "In the check above the wrong vector differs from what is expected in z alone."));
+    CHECK_FALSE(has(described({shown, other}), "vector"));  // of one it is seen
     CHECK(has(described({shown, compared({4, 5, 6}, {4, 5, 8}), other}),
+              "Every wrong vector differs from what is expected in z alone."));
+    CheckMade in_x = compared({4, 5, 6}, {1, 5, 6});
+    in_x.line = 9;
+    CHECK(has(described({shown, compared({4, 5, 6}, {4, 5, 8}), in_x}),
               "In the check above every wrong vector differs from what is expected in z alone."));
 }
 

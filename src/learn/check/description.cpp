@@ -134,6 +134,16 @@ bool are_not_all(const Checks& kept) {
     });
 }
 
+std::string about_counts(const Checks& checks, std::size_t wrong, const Function* function) {
+    const std::string of = function ? fmt::format(" of `{}`", function->name) : "";
+    const std::string all = counted(checks.size(), "check") + of, fail = wrong == 1 ? "fails" : "fail";
+    if (wrong < checks.size())
+        return are_not_all(checks) ? fmt::format("Of {}, {} {}.", all, wrong, fail)
+                                   : fmt::format("{} of {} {}.", wrong, all, fail);
+    if (are_not_all(checks)) return fmt::format("All checks{} fail.", of);
+    return wrong == 1 ? fmt::format("The one check{} fails.", of) : fmt::format("All {} fail.", all);
+}
+
 std::string as_sentence(std::string words) {
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     return words + '.';
@@ -144,12 +154,18 @@ std::string about_answers(const Checks& all, const Checks& of_shown, const Funct
     const bool answers_yes_or_no =
         function.returns == "bool" || function.returns.starts_with("Truth<");  // and no std::optional, which is nothing
     if (std::string words = answers_yes_or_no ? about_conditions(all, function.name) : ""; !words.empty()) return words;
-    const auto is_number = [](const CheckMade& one) { return !one.passed && !one.is_condition; };
-    const Checks wrong = those(all, is_number), wrong_here = those(of_shown, is_number);
-    if (std::string words = about_numbers(wrong, function.name); !words.empty()) return as_sentence(words);
-    if (std::string words = about_numbers(wrong_here, function.name); !words.empty())
-        return fmt::format("In the check above {}.", words);
-    return "";
+    const auto in_common = [&](const Checks& checks) -> std::string {
+        for (const std::size_t count : {std::size_t{3}, std::size_t{1}}) {  // vectors, numbers
+            const Checks wrong = those(checks, [&](const CheckMade& one) {
+                return !one.passed && !one.is_condition && one.got.size() == count;
+            });
+            if (std::string words = about_numbers(wrong, function.name); !words.empty()) return words;
+        }
+        return "";
+    };
+    if (std::string words = in_common(all); !words.empty()) return as_sentence(words);
+    const std::string words = in_common(of_shown);
+    return words.empty() ? "" : fmt::format("In the check above {}.", words);
 }
 
 /// The tests of the function that fail, and those that pass, by name.
@@ -197,13 +213,7 @@ std::string description(const Exercise& exercise, const TestRun& run, const Judg
     }
     std::vector<std::string> sentences;
     const std::size_t wrong = wrong_ones(all).size();
-    const std::string of =
-        fmt::format("{}{}", judgement.function ? fmt::format(" of `{}`", judgement.function->name) : "",
-                    are_not_all(all) ? " that were kept" : "");
-    if (wrong == 1 && all.size() == 1) sentences.push_back(fmt::format("The one check{} fails.", of));
-    else if (wrong > 0)
-        sentences.push_back(fmt::format("{} {}{} {}.", wrong == all.size() ? "All" : fmt::format("{} of", wrong),
-                                        counted(all.size(), "check"), of, wrong == 1 ? "fails" : "fail"));
+    if (wrong > 0) sentences.push_back(about_counts(all, wrong, judgement.function));
     if (right_in_double) sentences.push_back("In double all is right.");
     if (right_in_float && any_in_float) sentences.push_back("In float all is right.");
     const Function none{};

@@ -73,8 +73,7 @@ std::string shown(const std::vector<double>& v) {
 }
 
 /// Whether so many of some checks expect something else each that what they have in common is hardly chance.
-bool are_various(const Checks& wrong) {
-    constexpr std::size_t enough = 3;
+bool are_various(const Checks& wrong, std::size_t enough = 3) {
     std::set<std::vector<double>> expected;
     for (const CheckMade* one : wrong) expected.insert(one->expected);
     return expected.size() >= enough;
@@ -117,7 +116,9 @@ std::string components(const Checks& wrong) {
     std::vector<std::string> differ;
     bool turned = true, only_zero = true;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (every(wrong, [&](const CheckMade& one) { return close(one.got[i], one.expected[i]); })) continue;
+        const auto is_right = [&](const CheckMade& one) { return close(one.got[i], one.expected[i]); };
+        if (every(wrong, is_right)) continue;
+        if (!every(wrong, [&](const CheckMade& one) { return !is_right(one); })) return "";
         differ.emplace_back(names[i]);
         Checks not_zero;
         std::ranges::copy_if(wrong, std::back_inserter(not_zero),
@@ -246,7 +247,7 @@ std::string relation_of(const Checks& wrong, std::string_view function) {
     const bool various = are_various(wrong);
     if (various)
         if (std::string words = of_various(wrong, function); !words.empty()) return words;
-    if (count == 3)
+    if (count == 3 && are_various(wrong, 2))
         if (std::string words = components(wrong); !words.empty()) return words;
     return various ? too_large_or_small(wrong, function) : "";
 }

@@ -55,7 +55,7 @@ struct CaseResult {
 };
 
 /// Of each check in a case only so many passes are kept, and so many failures.
-inline constexpr int most_checks_kept = 60;  // as runner/main.cpp has it, which includes nothing of ours but what it must
+inline constexpr int most_checks_kept = 60;  // as check/runner/main.cpp has it
 
 /// A check as it was made once, passed or failed.
 struct CheckMade {
