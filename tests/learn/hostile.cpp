@@ -277,7 +277,7 @@ TEST_CASE("what is taken away while one works is made anew") {
     CHECK(not_written() == "dot");
     fs::remove_all(victim().workspace().hidden());
     CHECK(not_written() == "dot");
-    fs::remove_all(victim().learner().tools().main.parent_path());
+    fs::remove_all(victim().learner().tools().prelude.parent_path());
     CHECK(not_written() == "dot");
 }
 
