@@ -144,7 +144,7 @@ _glassbox() {
     --rays) _glassbox_offer_files "$cur" .csv ;;
     --script) _glassbox_offer_files "$cur" .script ;;
     --folder) _glassbox_offer_files "$cur" ;;
-    --mine) _glassbox_offer "$(_glassbox_lessons "$share")" "$cur" ;;
+    --mine) _glassbox_offer "$(_glassbox_lessons "$share"; echo all)" "$cur" ;;
     --mistake) _glassbox_offer "$(_glassbox_mistakes "$program" "${words[@]}")" "$cur" ;;
     --against) _glassbox_offer embree "$cur" ;;
     --overlay) _glassbox_offer "$("$program" measure --help 2>/dev/null | _glassbox_listed measurements)" "$cur" ;;

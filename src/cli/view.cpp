@@ -36,24 +36,32 @@ std::optional<WindowSize> window_size(const ViewRequest& request) {
     return WindowSize{width, height};
 }
 
+/// Returns what --mine chooses. Throws Error if there is no such lesson.
+MineChoice chosen(MineChoice mine, const std::string& typed) {
+    if (typed == present_lesson) return chosen_mine(std::move(mine), {});
+    const std::optional<LessonChoice> lessons = read_lesson_choice(typed);
+    mine = chosen_mine(std::move(mine), lessons);
+    if (!mine.workspace || (lessons && mine.problem.empty())) return mine;
+    const std::vector<learn::Exercise>& known = mine.workspace->exercises;
+    throw wrong("--mine", fmt::format("'{}' must be a lesson, {} to {}, or all", typed, known.front().number,
+                                      known.back().number));
+}
+
 /// What the viewer shows first: a scene and, on request, the learner's picture of it.
 ViewerState first_state(const ViewRequest& request) {
     const bool mine = !request.mine.empty();
-    std::optional<int> lesson;
-    if (mine && request.mine != present_lesson) lesson = whole_number("--mine", request.mine, 1, 99);
     MineChoice choice;
     choice.folder = request.folder;
-    if (mine) choice = chosen_mine(choice, lesson);
-    if (lesson && choice.workspace && !choice.problem.empty()) throw wrong("--mine", choice.problem);
+    if (mine) choice = chosen(std::move(choice), request.mine);
     const learn::Exercise* const exercise = exercise_of(choice);
-    if (lesson && exercise && exercise->own_picture == learn::OwnPicture::none)
-        throw wrong("--mine", fmt::format("no picture beside ours is made by what lesson {} teaches; glassbox learn "
-                                          "picture {} -o picture.png draws one that is",
-                                          *lesson, *lesson));
+    if (exercise && request.mine != present_lesson && exercise->own_picture == learn::OwnPicture::none)
+        throw wrong("--mine", fmt::format("no picture beside ours is made by what lesson {0} teaches; glassbox learn "
+                                          "picture {0} -o picture.png draws one that is",
+                                          exercise->number));
     const std::string usual = exercise ? (choice.workspace->root / exercise->scene).string() : "levental-2014";
     ViewerState state = opened(scene_path(request.scene.empty() ? usual : request.scene));
     state.mine = choice;
-    if (mine) show_mine(state, lesson);
+    if (mine) show_last_mine(state);
     if (mine && request.pixel.empty()) state.page = Page::mine;
     for (const auto& [parameter, typed] : request.rules)
         state.setup.change(with_typed(state.setup.now(), *parameter, fmt::format("--{}", parameter->name), typed));
@@ -116,7 +124,8 @@ void add_view(CLI::App& program) {
     command->add_option("--pixel", request->pixel, "a pixel to begin with")->type_name("X,Y");
     command->add_option("--overlay", request->overlay, "a measurement to lay over the picture")->type_name("NAME");
     command->add_flag("--mine", request->mine,
-                      "the picture of your own code beside ours; --mine=2 for lesson 2, else the lesson where you are");
+                      "the picture of your own code beside ours: of the lesson where you are, of lesson 2 with "
+                      "--mine=2, of all that you have written with --mine=all");
     command->add_option("--folder", request->folder, "the folder of your own code (default: my)")->type_name("DIR");
     for (const Parameter& parameter : parameters())
         if (std::holds_alternative<SphereRule Options::*>(parameter.member) ||

@@ -130,21 +130,21 @@ Quickness quickness(ViewerState state, WindowSize size) {
 
 std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int edits) {
     using learn::mine::Stand;
-    if (!exercise_of(state.mine)) throw Error("view --bench --mine: error: " + state.mine.problem);
+    if (!state.mine.chosen) throw Error("view --bench --mine: error: " + state.mine.problem);
     const PassingFolder folder;
     const auto learners = std::make_shared<learn::Workspace>(*state.mine.workspace);
     learners->folder = folder.path;
     state.mine.workspace = learners;
-    const learn::Exercise* const exercise = exercise_of(state.mine);
     std::filesystem::path header;
     std::string text;
-    for (const std::string& name : exercise->headers) {
-        header = learners->header(*exercise, name);
-        text = read_text(learners->solution(*exercise, name));
-        std::filesystem::create_directories(header.parent_path());
-        std::ofstream(header) << text;
-    }
-    show_mine(state, exercise->number);
+    for (const learn::Exercise* const exercise : lessons_of(state.mine))
+        for (const std::string& name : exercise->headers) {
+            header = learners->header(*exercise, name);
+            text = read_text(learners->solution(*exercise, name));
+            std::filesystem::create_directories(header.parent_path());
+            std::ofstream(header) << text;
+        }
+    show_last_mine(state);
     HiddenViewer viewer(std::move(state), size);
     viewer.settle();
 

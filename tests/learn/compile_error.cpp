@@ -37,7 +37,7 @@ struct Project {
         std::ofstream(folder / "src" / fs::path("core/2-spheres/sphere.hpp")) << "\n";
     }
     CompileError error(const std::string& errors) const {
-        const auto found = compile_error(said(errors), {mine}, folder.path);
+        const auto found = compile_error(said(errors), {{mine}}, folder.path);
         REQUIRE(found);
         return *found;
     }
@@ -364,7 +364,8 @@ TEST_CASE("what is not closed in a header goes before what another file, or a la
     std::ofstream(second) << "#pragma once\n#include <vec3.hpp>\nint three = two;\n";
     std::ofstream(unused) << "void old() {\n";
     const auto error = [&](const std::string& errors) {
-        const auto found = compile_error(said(errors), {project.mine / "1-rays", {second, first}}, project.folder.path);
+        const auto found =
+            compile_error(said(errors), {{project.mine / "1-rays"}, {second, first}}, project.folder.path);
         REQUIRE(found);
         return *found;
     };
@@ -464,7 +465,7 @@ TEST_CASE("names that are nearly right are suggested from the file itself; heade
 TEST_CASE("what the machine does not allow is told as such, by g++, clang++ and the linker, and nobody is blamed") {
     const Project project;
     const auto refusal = [&](const std::string& errors) {
-        return test::message_of<Error>([&] { compile_error(said(errors), {project.mine}, project.folder.path); });
+        return test::message_of<Error>([&] { compile_error(said(errors), {{project.mine}}, project.folder.path); });
     };
     for (const char* full :
          {"x.cpp:3:44: fatal error: cannot write PCH file: No space left on device\n",
@@ -498,7 +499,7 @@ TEST_CASE("a compiler that comes to an end itself is told of, and so is a linker
     const Project project;
     Outcome outcome = said("");
     outcome.end = End::deadline;
-    const auto late = compile_error(outcome, {project.mine}, project.folder.path);
+    const auto late = compile_error(outcome, {{project.mine}}, project.folder.path);
     REQUIRE(late);
     CHECK(late->plain.find("does not come to an end") != std::string::npos);
     const auto missing =
@@ -509,6 +510,6 @@ TEST_CASE("a compiler that comes to an end itself is told of, and so is a linker
     CHECK(missing->plain.find("no body") != std::string::npos);
     Outcome good;
     good.end = End::exited;
-    CHECK_FALSE(compile_error(good, {project.mine}, project.folder.path));
+    CHECK_FALSE(compile_error(good, {{project.mine}}, project.folder.path));
     CHECK_FALSE(link_error(good));
 }

@@ -53,7 +53,17 @@ struct Learner {
     /// Returns the last update of a picture.
     PictureUpdate draw(const Exercise& of, const Scene& scene, const Options& options) {
         told.clear();
-        maker.make(workspace, of, scene, options, [&](PictureUpdate update) { told.push_back(std::move(update)); });
+        maker.make(workspace, {&of}, scene, options, [&](PictureUpdate update) { told.push_back(std::move(update)); });
+        REQUIRE(!told.empty());
+        return told.back();
+    }
+    /// The same, drawn by all lessons that are finished.
+    PictureUpdate draw_with_all(const Scene& scene) {
+        told.clear();
+        Options options;
+        options.scalar = Scalar::double_;
+        maker.make_with_all(workspace, scene, options,
+                            [&](PictureUpdate update) { told.push_back(std::move(update)); });
         REQUIRE(!told.empty());
         return told.back();
     }
@@ -321,6 +331,89 @@ TEST_CASE("lesson 6: what bounds prove is true; what they leave open is counted"
     CHECK(wrong() > 0);
 }
 
+TEST_CASE("all that is written, at once: the mistakes of two lessons show in one picture") {
+    Learner learner;
+    const Exercise &spheres = learner.exercise(2), &triangles = learner.exercise(3), &shading = learner.exercise(4);
+    const Scene scene = resized(paper(), 100, 100);
+    PictureUpdate update = learner.draw_with_all(scene);
+    CHECK(update.stand == Stand::not_there);
+    CHECK(update.words == "no lesson of yours is begun yet; './glassbox learn test' makes the files that you write");
+
+    // A lesson that is begun and not finished is ours.
+    const std::string starter = learner.workspace.starter(shading, "reflection.hpp");
+    learner.write(shading, "reflection.hpp", starter);
+    update = learner.draw_with_all(scene);
+    CHECK(update.stand == Stand::not_there);
+    CHECK(update.words ==
+          "no lesson of yours is finished yet; lesson 4 waits for `positive_part`; "
+          "'./glassbox learn test 4' says what comes next");
+
+    // Normals that are not of length 1 are seen in the shading; each pixel shows a sphere, a triangle or neither.
+    learner.solve(spheres);
+    learner.mistake(spheres, "sphere.hpp", "return unit(X - sphere.C);", "return X - sphere.C;");
+    learner.solve(triangles);
+    learner.mistake(triangles, "triangle.hpp", "return unit(cross(B - A, C - A));", "return cross(A - B, C - A);");
+    update = learner.draw_with_all(scene);
+    INFO(update.words);
+    CHECK(update.stand == Stand::drawn);
+    CHECK(update.words == "");
+    CHECK(update.by_whom == "drawn by lessons 2 and 3 of yours; lesson 4 waits for `positive_part`; the rest is ours");
+    REQUIRE(update.drawing);
+    const auto all = update.drawing->image.pixels, ours = render(scene, in_double(5)).pixels;
+    const auto by_spheres = learner.draw(spheres, scene, in_double(5)).drawing->image.pixels;
+    const auto by_triangles = learner.draw(triangles, scene, in_double(5)).drawing->image.pixels;
+    int wrong_spheres = 0, wrong_triangles = 0;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        wrong_spheres += by_spheres[i] != ours[i];
+        wrong_triangles += by_triangles[i] != ours[i];
+        CHECK(all[i] == (by_spheres[i] != ours[i] ? by_spheres[i] : by_triangles[i]));
+    }
+    CHECK(wrong_spheres > 0);
+    CHECK(wrong_triangles > 0);
+
+    // A stub that is commented out is no longer one; a file that was deleted makes its lesson ours.
+    learner.write(shading, "reflection.hpp",
+                  learner.solution(shading, "reflection.hpp") +
+                      "// return not_written<Real>(\"diffuse\");\n/* return not_written<Real>(\"diffuse\"); */\n");
+    fs::remove(learner.workspace.header(triangles, "sides.hpp"));
+    update = learner.draw_with_all(scene);
+    CHECK(update.stand == Stand::drawn);
+    CHECK(update.by_whom ==
+          "drawn by lessons 2 and 4 of yours; lesson 3 waits for its file sides.hpp; the rest is ours");
+    CHECK(update.drawing->image.pixels == by_spheres);
+    CHECK(learner.draw_with_all(scene).compile_seconds == 0);
+}
+
+TEST_CASE("all that is written, at once: an error is told in the file of the lesson where it is") {
+    Learner learner;
+    const Exercise &spheres = learner.exercise(2), &triangles = learner.exercise(3);
+    const Scene scene = resized(paper(), 20, 20);
+    learner.solve(spheres);
+    learner.solve(triangles);
+    learner.mistake(triangles, "triangle.hpp", "return unit(cross(B - A, C - A));", "return unit(cros(B - A, C - A));");
+    PictureUpdate update = learner.draw_with_all(scene);
+    CHECK(update.stand == Stand::does_not_compile);
+    CHECK(update.by_whom == "drawn by lessons 2 and 3 of yours; the rest is ours");
+    REQUIRE(update.error);
+    CHECK(update.error->yours);
+    CHECK(update.error->place.file == learner.workspace.header(triangles, "triangle.hpp").string());
+    CHECK(update.error->source.find("cros(B - A") != std::string::npos);
+
+    // What is not closed in one lesson's file, the compiler finds in another's.
+    learner.solve(triangles);
+    learner.mistake(spheres, "sphere.hpp", "return unit(X - sphere.C);\n}", "return unit(X - sphere.C);\n");
+    update = learner.draw_with_all(scene);
+    CHECK(update.stand == Stand::does_not_compile);
+    REQUIRE(update.error);
+    CHECK(update.error->yours);
+    CHECK(update.error->place.file == learner.workspace.header(spheres, "sphere.hpp").string());
+
+    for (const int number : {1, 2, 4, 5}) learner.solve(learner.exercise(number));
+    update = learner.draw_with_all(scene);
+    CHECK(update.by_whom == "drawn by lessons 1, 2, 3, 4 and 5 of yours");
+    CHECK(update.drawing->image.pixels == render(scene, in_double(5)).pixels);
+}
+
 TEST_CASE("a drawing can be stopped") {
     Learner learner;
     const Exercise& spheres = learner.exercise(2);
@@ -329,7 +422,7 @@ TEST_CASE("a drawing can be stopped") {
     source.request_stop();
     CHECK_THROWS_AS(
         learner.maker.make(
-            learner.workspace, spheres, paper(), in_double(2), [](const PictureUpdate&) {}, source.get_token()),
+            learner.workspace, {&spheres}, paper(), in_double(2), [](const PictureUpdate&) {}, source.get_token()),
         Cancelled);
 }
 

@@ -97,12 +97,12 @@ TEST_CASE("it is looked at in double, at the lesson's stage, and undo takes that
     viewer.state.beside = Beside::mine_difference;
     show_mine(viewer.state, 5);  // the difference stays, of another lesson
     CHECK(viewer.state.beside == Beside::mine_difference);
-    CHECK(viewer.state.mine.lesson == 5);
+    CHECK(viewer.state.mine.chosen == LessonChoice(5));
 
     std::ofstream(viewer.folder / "other.toml") << "[image]\nwidth = 9\nheight = 7\n";
     open(viewer.state, viewer.folder / "other.toml");
     CHECK(viewer.state.beside == Beside::mine_difference);
-    CHECK(viewer.state.mine.lesson == 5);
+    CHECK(viewer.state.mine.chosen == LessonChoice(5));
     CHECK(viewer.state.setup.now().options.scalar == Scalar::double_);
 
     show_mine(viewer.state, 77);
@@ -110,8 +110,61 @@ TEST_CASE("it is looked at in double, at the lesson's stage, and undo takes that
     toggle_mine(viewer.state);
     CHECK(viewer.state.beside == Beside::nothing);
     toggle_mine(viewer.state);  // the last one shown
-    CHECK(viewer.state.mine.lesson == 5);
+    CHECK(viewer.state.mine.chosen == LessonChoice(5));
     CHECK(viewer.state.mine.problem == "");
+}
+
+TEST_CASE("all that is written: in double, at the last stage, tested lesson by lesson") {
+    Viewer viewer;
+    const auto& mine = viewer.results.mine;
+    const Setup before = viewer.state.setup.now();
+    CHECK(read_lesson_choice("all") == LessonChoice(AllLessons{}));
+    CHECK(read_lesson_choice("7") == LessonChoice(7));
+    for (const char* wrong : {"", "0", "-1", "2x", " 2", "ALL", "99999999999"}) CHECK_FALSE(read_lesson_choice(wrong));
+    show_mine(viewer.state, AllLessons{});
+    CHECK(viewer.state.mine.problem == "");
+    CHECK(viewer.state.beside == Beside::mine);
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::double_);
+    CHECK(viewer.state.setup.now().options.stage == 5);
+    CHECK(exercise_of(viewer.state.mine) == nullptr);
+    // Any of them, saved, may finish its lesson.
+    const std::vector<fs::path> files = files_of(viewer.state.mine);
+    for (const char* file : {"1-rays/vec3.hpp", "2-spheres/chord.hpp", "3-triangles/sides.hpp",
+                             "4-shading/reflection.hpp", "5-rotation/turn.hpp"})
+        CHECK(std::find(files.begin(), files.end(), viewer.folder / "my" / file) != files.end());
+    CHECK(std::find(files.begin(), files.end(), viewer.folder / "my/6-rounding/filter.hpp") == files.end());
+    viewer.state.setup.undo();
+    CHECK(viewer.state.setup.now() == before);
+    viewer.state.setup.redo();
+
+    viewer.state.mine.is_tested = true;
+    viewer.settle();
+    REQUIRE(mine);
+    CHECK(mine->stand == Stand::not_there);
+    CHECK(viewer.results.tests == nullptr);
+    for (const char* header : {"sphere.hpp", "quadratic.hpp", "crossing.hpp", "chord.hpp"}) viewer.save(header);
+    viewer.settle();
+    CHECK(mine->stand == Stand::drawn);
+    CHECK(mine->by_whom == "drawn by lesson 2 of yours; the rest is ours");
+    CHECK(viewer.same_as_ours());
+    CHECK(viewer.results.tests == nullptr);
+
+    open(viewer.state, viewer.state.file);
+    CHECK(is_of_all(viewer.state.mine));
+    CHECK(viewer.state.setup.now().options.stage == 5);
+    toggle_mine(viewer.state);
+    toggle_mine(viewer.state);
+    CHECK(is_of_all(viewer.state.mine));
+
+    // The page that says so.
+    ViewerState shown = viewer.state;
+    shown.page = Page::mine;
+    HiddenViewer window(std::move(shown), {900, 700});
+    window.settle();
+    REQUIRE(window.results().mine);
+    CHECK(window.results().mine->stand == Stand::drawn);
+    CHECK(window.results().tests == nullptr);
+    CHECK(window.screen().complaints() == 0);
 }
 
 TEST_CASE("a learner's day: nothing yet, a picture, a slip, a crash, and all is well again") {

@@ -95,16 +95,21 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
     return !near.empty() && *near.begin() != "..";
 }
 
+bool lies_in(const fs::path& file, const std::vector<fs::path>& folders) {
+    return std::ranges::any_of(folders, [&](const fs::path& folder) { return lies_in(file, folder); });
+}
+
 /// Whether a file may be read to show the line of an error. A line such as '#line 1 "/home/teacher/notes"' can name any
 /// file; only the learner's own headers, ours and the system's are shown.
 bool may_be_read(const fs::path& file, const OwnHeaders& mine, const fs::path& root) {
     std::error_code failed;
     const fs::path real = fs::canonical(file, failed);
     if (failed || !fs::is_regular_file(real, failed)) return false;
-    std::vector<fs::path> folders{"/usr/include", "/usr/lib", fs::weakly_canonical(mine.folder, failed)};
+    std::vector<fs::path> folders{"/usr/include", "/usr/lib"};
+    for (const fs::path& own : mine.folders) folders.push_back(fs::weakly_canonical(own, failed));
     for (const char* ours : {"src", "tests", "lessons"})
         if (!root.empty()) folders.push_back(fs::weakly_canonical(root / ours, failed));
-    return std::ranges::any_of(folders, [&](const fs::path& folder) { return lies_in(real, folder); });
+    return lies_in(real, folders);
 }
 
 std::string line_of(const fs::path& file, std::size_t number) {
@@ -165,7 +170,7 @@ constexpr std::array hindrances{
 
 /// Throws Error if a compiler or a linker reports that the system does not let it write. Skips quoted source lines: a
 /// learner's line may contain any words.
-void check_machine(const Outcome& outcome, const fs::path& mine, const fs::path& folder) {
+void check_machine(const Outcome& outcome, const std::vector<fs::path>& mine, const fs::path& folder) {
     if (outcome.well() || outcome.end == End::stopped) return;
     for (const std::string_view line : lines_of(outcome.errors)) {
         if (line.starts_with(' ')) continue;  // a line of source
@@ -322,12 +327,12 @@ std::string of_a_later_lesson(const CompileError& error, const fs::path& root) {
 }
 
 /// These files and those of the learner's that they include, each after what it includes.
-std::vector<fs::path> read_with(const std::vector<fs::path>& headers, const fs::path& folder) {
+std::vector<fs::path> read_with(const std::vector<fs::path>& headers, const std::vector<fs::path>& folders) {
     std::vector<fs::path> files;
     const std::function<void(const fs::path&)> read = [&](const fs::path& path) {
         const fs::path file = path.lexically_normal();
         const std::string text = content_of(file);
-        if (text.empty() || !lies_in(file, folder) || std::ranges::find(files, file) != files.end()) return;
+        if (text.empty() || !lies_in(file, folders) || std::ranges::find(files, file) != files.end()) return;
         files.push_back(file);
         const std::size_t place = files.size() - 1;
         for (const std::string_view line : lines_of(text)) {
@@ -335,7 +340,7 @@ std::vector<fs::path> read_with(const std::vector<fs::path>& headers, const fs::
             if (line.find("#include") == std::string_view::npos || open == std::string_view::npos) continue;
             const std::string_view name = line.substr(open + 1, line.find_first_of(">\"", open + 1) - open - 1);
             read(file.parent_path() / name);
-            read(folder / name);
+            for (const fs::path& folder : folders) read(folder / name);
         }
         std::rotate(files.begin() + static_cast<std::ptrdiff_t>(place),
                     files.begin() + static_cast<std::ptrdiff_t>(place) + 1, files.end());
@@ -347,11 +352,11 @@ std::vector<fs::path> read_with(const std::vector<fs::path>& headers, const fs::
 /// Returns what is not closed in one of the learner's files, unless the compiler found the error that it reports
 /// before: in that file, or in one that it includes.
 std::optional<CompileError> not_closed(const OwnHeaders& mine, const CompileError& told) {
-    for (const fs::path& file : read_with(mine.included, mine.folder)) {
+    for (const fs::path& file : read_with(mine.included, mine.folders)) {
         const std::optional<Unclosed> found = unclosed_in(content_of(file));
         if (!found) continue;
         const bool is_told = told.place.file == file.string();
-        const std::vector<fs::path> before = read_with({file}, mine.folder);
+        const std::vector<fs::path> before = read_with({file}, mine.folders);
         const bool is_found_before = std::ranges::find(before, fs::path(told.place.file)) != before.end();
         if (is_told ? std::pair(told.place.line, told.place.column) < std::pair(found->line, found->column)
                     : is_found_before)
@@ -374,7 +379,7 @@ std::optional<CompileError> without_degrees(const std::vector<Diagnosed>& errors
         std::vector<Place> places = one.led_there;
         places.push_back(one.error.place);
         for (const Place& place : places) {
-            if (!lies_in(place.file, mine.folder)) continue;
+            if (!lies_in(place.file, mine.folders)) continue;
             CompileError error;
             error.plain = takes_degrees(content_of(place.file), place.line);
             if (error.plain.empty()) continue;
@@ -393,7 +398,7 @@ std::optional<CompileError> without_degrees(const std::vector<Diagnosed>& errors
 
 std::optional<CompileError> compile_error(const Outcome& compilation, const OwnHeaders& mine, const fs::path& folder) {
     if (compilation.well()) return {};
-    check_machine(compilation, mine.folder, folder);
+    check_machine(compilation, mine.folders, folder);
     std::vector<Diagnosed> errors = diagnosed(compilation.errors);
     if (compilation.end != End::exited || errors.empty()) {
         CompileError error = of_the_compiler_itself(compilation);
@@ -404,7 +409,7 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const OwnH
         one.error.place.file = (folder / one.error.place.file).lexically_normal().string();
         for (Place& place : one.led_there) place.file = (folder / place.file).lexically_normal().string();
     }
-    const auto is_mine = [&](const Place& place) { return lies_in(place.file, mine.folder); };
+    const auto is_mine = [&](const Place& place) { return lies_in(place.file, mine.folders); };
 
     const Diagnosed* chosen = &errors.front();
     Place place = chosen->error.place;
@@ -426,7 +431,8 @@ std::optional<CompileError> compile_error(const Outcome& compilation, const OwnH
     error.place = place;
     error.yours = is_mine(place);
     error.message = in_our_names(chosen->error.rest);
-    const std::vector<fs::path> headers{mine.folder, folder / "src/core"};
+    std::vector<fs::path> headers = mine.folders;
+    headers.push_back(folder / "src/core");
     if (may_be_read(place.file, mine, folder)) {
         error.source = line_of(place.file, place.line);
         error.plain = meant(error, headers);

@@ -12,7 +12,7 @@ namespace glassbox::learn {
 
 /// The learner's files that may be at fault.
 struct OwnHeaders {
-    std::filesystem::path folder;                      ///< they lie in it, and may include each other
+    std::vector<std::filesystem::path> folders;        ///< they lie in these, and may include each other
     std::vector<std::filesystem::path> included = {};  ///< by what is compiled; with their folder
 };
 

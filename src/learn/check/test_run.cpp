@@ -220,7 +220,7 @@ std::vector<fs::path> includes_of(const Workspace& workspace, const Exercise& ex
 }
 
 OwnHeaders own_headers(const Exercise& exercise, const fs::path& headers) {
-    OwnHeaders own{headers};
+    OwnHeaders own{{headers}};
     for (const std::string& name : exercise.headers) own.included.push_back(headers / name);
     return own;
 }

@@ -48,13 +48,15 @@ std::string state_of_ours(const fs::path& root) {
 }
 
 /// The learner's headers come before ours; those of all other lessons are ours.
-std::vector<fs::path> includes(const Workspace& workspace, const Exercise& exercise) {
+std::vector<fs::path> includes(const Workspace& workspace, const Lessons& lessons) {
     std::vector<fs::path> stages;
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator(workspace.root / "src/core", none))
         if (entry.is_directory(none)) stages.push_back(entry.path());
     std::sort(stages.begin(), stages.end());
-    std::vector<fs::path> all{workspace.headers_of(exercise), workspace.root / "lessons"};
+    std::vector<fs::path> all;
+    for (const Exercise* const exercise : lessons) all.push_back(workspace.headers_of(*exercise));
+    all.push_back(workspace.root / "lessons");
     all.insert(all.end(), stages.begin(), stages.end());
     all.push_back(workspace.root / "src");
     return all;
@@ -127,15 +129,19 @@ std::optional<PictureUpdate> failure_of(const Outcome& outcome, std::optional<Co
 }
 
 /// Returns the flags for what the renderer is compiled for.
-std::vector<std::string> rules_of(const Exercise& exercise, const Options& options) {
+std::vector<std::string> rules_of(const Lessons& lessons, const Options& options) {
     std::vector<std::string> flags_for{fmt::format("-DGLASSBOX_SPHERE_RULE={}", struct_of(options.sphere_rule)),
                                        fmt::format("-DGLASSBOX_TRIANGLE_RULE={}", struct_of(options.triangle_rule))};
-    if (exercise.own_picture == OwnPicture::by_bounds) flags_for.push_back("-DGLASSBOX_BOUNDED");
+    const auto is_by_bounds = [](const Exercise* exercise) { return exercise->own_picture == OwnPicture::by_bounds; };
+    if (std::any_of(lessons.begin(), lessons.end(), is_by_bounds)) flags_for.push_back("-DGLASSBOX_BOUNDED");
     return flags_for;
 }
 
-/// The learner's headers, by their texts. A missing one must not be replaced by ours silently. Throws Error if one is
-/// not there, or if the lesson has no picture.
+/// The lesson's name, or "all" of several.
+std::string name_of(const Lessons& lessons) { return lessons.size() == 1 ? lessons[0]->name : "all"; }
+
+/// The learner's headers of a lesson, by their texts. A missing one must not be replaced by ours silently. Throws Error
+/// if one is not there, or if the lesson has no picture.
 std::vector<std::string> headers_to_draw_with(const Workspace& workspace, const Exercise& exercise) {
     if (exercise.own_picture == OwnPicture::none)
         throw Error(
@@ -148,17 +154,44 @@ std::vector<std::string> headers_to_draw_with(const Workspace& workspace, const 
     return texts;
 }
 
+/// The same for each of the lessons, after its name.
+std::vector<std::string> headers_to_draw_with(const Workspace& workspace, const Lessons& lessons) {
+    std::vector<std::string> all;
+    for (const Exercise* const exercise : lessons) {
+        all.push_back(exercise->name);
+        for (std::string& text : headers_to_draw_with(workspace, *exercise)) all.push_back(std::move(text));
+    }
+    return all;
+}
+
+/// "my/1-rays, my/2-spheres"
+std::string folders_of(const Workspace& workspace, const Lessons& lessons) {
+    std::vector<std::string> folders;
+    for (const Exercise* const exercise : lessons) folders.push_back(shown(workspace.headers_of(*exercise)));
+    return fmt::format("{}", fmt::join(folders, ", "));
+}
+
+OwnHeaders own_headers(const Workspace& workspace, const Lessons& lessons) {
+    OwnHeaders all;
+    for (const Exercise* const exercise : lessons) {
+        const OwnHeaders own = learn::own_headers(*exercise, workspace.headers_of(*exercise));
+        all.folders.insert(all.folders.end(), own.folders.begin(), own.folders.end());
+        all.included.insert(all.included.end(), own.included.begin(), own.included.end());
+    }
+    return all;
+}
+
 /// Where the renderer is that was compiled from all of this, if it was.
-fs::path renderer_of(const Workshop& shop, const Workspace& workspace, const Exercise& exercise,
+fs::path renderer_of(const Workshop& shop, const Workspace& workspace, const Lessons& lessons,
                      std::vector<std::string> headers, const std::vector<std::string>& rules) {
     headers.push_back(state_of_ours(workspace.root));
     headers.insert(headers.end(), rules.begin(), rules.end());
-    return shop.folder / (exercise.name + "-" + fingerprint(headers));
+    return shop.folder / (name_of(lessons) + "-" + fingerprint(headers));
 }
 
 /// Compiles and links a renderer. Returns why it could not, if it could not.
 std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& shop, const Workspace& workspace,
-                                   const Exercise& exercise, const Compiler& compiler, std::vector<std::string> rules,
+                                   const Lessons& lessons, const Compiler& compiler, std::vector<std::string> rules,
                                    const std::stop_token& stop) {
     const auto unless_stopped = [&](Outcome outcome) {
         if (stop.stop_requested()) throw Cancelled{};
@@ -168,11 +201,11 @@ std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& sho
     const fs::path program = shop.folder / fmt::format("new-{}", ::getpid());
     rules.insert(rules.begin(), flags.begin(), flags.end());
     for (const std::string& flag : beginning_with(compiler, shop.folder / shop.precompiled)) rules.push_back(flag);
-    const Compilation what{workspace.root / "src/learn/picture/renderer.cpp", object, includes(workspace, exercise),
+    const Compilation what{workspace.root / "src/learn/picture/renderer.cpp", object, includes(workspace, lessons),
                            rules, workspace.root};
 
     const Outcome compiled = unless_stopped(compile(compiler, what, stop));
-    const OwnHeaders own = own_headers(exercise, workspace.headers_of(exercise));
+    const OwnHeaders own = own_headers(workspace, lessons);
     std::optional<PictureUpdate> failure =
         failure_of(compiled, compile_error(compiled, own, workspace.root), "the compiler could not compile it: ");
     if (!failure) {
@@ -182,18 +215,21 @@ std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& sho
     std::error_code failed;
     fs::remove(object, failed);
     if (failure) return failure;
-    remove_all_that_begin_with(exercise.name + "-", shop.folder);
+    remove_all_that_begin_with(name_of(lessons) + "-", shop.folder);
     fs::rename(program, renderer, failed);
     check(failed, renderer);
     return {};
 }
 
 /// Suggests another rule, if the words say that a function of one rule only is not written yet.
-std::string hint(std::string_view words, const Exercise& exercise) {
-    const bool is_of_a_rule = std::any_of(exercise.functions.begin(), exercise.functions.end(), [&](const Function& f) {
-        return !f.rule.empty() && words.starts_with(fmt::format("`{}`", f.name));
+std::string hint(std::string_view words, const Lessons& lessons) {
+    const auto is_of_a_rule = [&](const Function& function) {
+        return !function.rule.empty() && words.starts_with(fmt::format("`{}`", function.name));
+    };
+    const bool is_missing = std::any_of(lessons.begin(), lessons.end(), [&](const Exercise* exercise) {
+        return std::any_of(exercise->functions.begin(), exercise->functions.end(), is_of_a_rule);
     });
-    return is_of_a_rule ? "; until it is, another rule can be chosen in the controls" : "";
+    return is_missing ? "; until it is, another rule can be chosen in the controls" : "";
 }
 
 std::string count(std::int64_t pixels) { return pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", pixels); }
@@ -218,14 +254,14 @@ PictureUpdate update_of(std::shared_ptr<const Drawing> drawing, const Scene& sce
 }
 
 /// Says how the drawing ended.
-PictureUpdate update_of(const Drawn& drawn, const Exercise& exercise) {
+PictureUpdate update_of(const Drawn& drawn, const Lessons& lessons) {
     PictureUpdate end = update(Stand::drawn, what_became_of(drawn));
     end.drawing = drawn.drawing;
     end.said = drawn.outcome.output + drawn.outcome.errors;
     end.draw_seconds = drawn.outcome.took.count();
     if (drawn.not_written) {
         end.stand = Stand::not_written;
-        end.words += hint(end.words, exercise);
+        end.words += hint(end.words, lessons);
         return end;
     }
     if (!end.words.empty()) end.stand = Stand::failed;
@@ -241,11 +277,11 @@ PictureUpdate update_of(const Drawn& drawn, const Exercise& exercise) {
 
 }  // namespace
 
-void Maker::make(const Workspace& workspace, const Exercise& exercise, const Scene& scene, const Options& options,
+void Maker::make(const Workspace& workspace, const Lessons& lessons, const Scene& scene, const Options& options,
                  const std::function<void(PictureUpdate)>& tell, const std::stop_token& stop) {
     std::vector<std::string> headers;
     try {
-        headers = headers_to_draw_with(workspace, exercise);
+        headers = headers_to_draw_with(workspace, lessons);
     } catch (const Error& error) {
         return tell(update(Stand::not_there, error.what()));
     }
@@ -257,13 +293,13 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
         update.compile_seconds = compile_seconds;
         tell(std::move(update));
     };
-    const std::vector<std::string> rules = rules_of(exercise, options);
+    const std::vector<std::string> rules = rules_of(lessons, options);
     const Workshop shop = workshop(workspace, *compiler_, stop);
-    const fs::path renderer = renderer_of(shop, workspace, exercise, std::move(headers), rules);
+    const fs::path renderer = renderer_of(shop, workspace, lessons, std::move(headers), rules);
     std::error_code none;
     if (!fs::is_regular_file(renderer, none)) {
-        tell(update(Stand::compiling, "compiling " + shown(workspace.headers_of(exercise))));
-        std::optional<PictureUpdate> failure = build(renderer, shop, workspace, exercise, *compiler_, rules, stop);
+        tell(update(Stand::compiling, "compiling " + folders_of(workspace, lessons)));
+        std::optional<PictureUpdate> failure = build(renderer, shop, workspace, lessons, *compiler_, rules, stop);
         compile_seconds = seconds_since(start);
         if (failure) return tell_timed(*std::move(failure));
     }
@@ -271,7 +307,19 @@ void Maker::make(const Workspace& workspace, const Exercise& exercise, const Sce
     const auto show = [&](std::shared_ptr<const Drawing> drawing) { tell_timed(update_of(std::move(drawing), scene)); };
     const Drawn drawn = draw(renderer, scene, options, show, stop);
     if (stop.stop_requested()) throw Cancelled{};
-    tell_timed(update_of(drawn, exercise));
+    tell_timed(update_of(drawn, lessons));
+}
+
+void Maker::make_with_all(const Workspace& workspace, const Scene& scene, const Options& options,
+                          const std::function<void(PictureUpdate)>& tell, const std::stop_token& stop) {
+    const Written written = written_in(workspace);
+    const std::string words = in_words(written, workspace);
+    if (written.finished.empty()) return tell(update(Stand::not_there, words));
+    const auto tell_by_whom = [&](PictureUpdate update) {
+        update.by_whom = words;
+        tell(std::move(update));
+    };
+    make(workspace, written.finished, scene, options, tell_by_whom, stop);
 }
 
 }  // namespace glassbox::learn::mine

@@ -39,6 +39,7 @@ enum class Stand {
 struct PictureUpdate {
     Stand stand = Stand::compiling;
     std::string words;                       ///< one or two sentences; no full stop
+    std::string by_whom;                     ///< which lessons draw, and which do not yet; "" if one was asked for
     std::optional<CompileError> error;       ///< with does_not_compile
     std::optional<Pixel> spot;               ///< the pixel that the words are about
     std::shared_ptr<const Drawing> drawing;  ///< as far as it is drawn; null: not begun

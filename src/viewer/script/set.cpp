@@ -76,7 +76,9 @@ const Settable settables[] = {
         "split", from_to(0, 1), [](ViewerState& s) -> auto& { return s.split; }),
     {"lesson",
      [](Word name, Word typed) {
-         return change([lesson = whole_number(name, typed, 1, 99)](ViewerState& s) { show_mine(s, lesson); });
+         const std::optional<LessonChoice> lessons = read_lesson_choice(typed);
+         if (!lessons) throw wrong(name, fmt::format("'{}' must be the number of a lesson, or all", typed));
+         return change([lessons](ViewerState& s) { show_mine(s, lessons); });
      }},
     {"predict",
      [](Word name, Word typed) {

@@ -79,8 +79,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.other = state.other;
         fresh.predicting = state.predicting;
         fresh.mine = state.mine;
-        const learn::Exercise* const lesson = exercise_of(fresh.mine);
-        if (lesson && shows_mine(fresh)) fresh.setup = History(for_lesson(fresh.setup.now(), *lesson));
+        if (fresh.mine.chosen && shows_mine(fresh)) fresh.setup = History(for_mine(fresh.setup.now(), fresh.mine));
         state = std::move(fresh);
     } catch (const Error& error) {
         state.file_error = error.what();

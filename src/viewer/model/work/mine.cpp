@@ -1,5 +1,6 @@
 #include "viewer/model/work/mine.hpp"
 
+#include <charconv>
 #include <utility>
 
 #include "learn/course/progress.hpp"
@@ -9,6 +10,8 @@
 namespace glassbox {
 
 namespace {
+
+constexpr int last_stage = 5;
 
 std::string without(std::string text, const std::string& beginning) {
     return text.starts_with(beginning) ? text.substr(beginning.size()) : text;
@@ -24,7 +27,16 @@ bool runs_tests(const ViewerState& state) {
     return shows_mine(state) && state.mine.is_tested && exercise_of(state.mine);
 }
 
-MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson) {
+std::optional<LessonChoice> read_lesson_choice(const std::string& typed) {
+    if (typed == "all") return AllLessons{};
+    int number = 0;
+    const char* const end = typed.data() + typed.size();
+    const auto [read, failed] = std::from_chars(typed.data(), end, number);
+    if (failed != std::errc{} || read != end || number < 1) return {};
+    return number;
+}
+
+MineChoice chosen_mine(MineChoice mine, std::optional<LessonChoice> lessons) {
     try {
         if (!mine.workspace)
             mine.workspace = std::make_shared<const learn::Workspace>(
@@ -33,8 +45,10 @@ MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson) {
         const auto progress = [&] {
             return learn::read_progress(mine.workspace->hidden() / "progress.json", complaint);
         };
-        mine.lesson = lesson ? learn::exercise_called(*mine.workspace, std::to_string(*lesson)).number
-                             : learn::present_exercise(*mine.workspace, progress()).number;
+        if (!lessons) lessons = learn::present_exercise(*mine.workspace, progress()).number;
+        if (const int* const lesson = std::get_if<int>(&*lessons))
+            learn::exercise_called(*mine.workspace, std::to_string(*lesson));  // it exists
+        mine.chosen = lessons;
         mine.problem.clear();
     } catch (const std::exception& error) {
         mine.problem = without(error.what(), "glassbox learn: error: ");
@@ -42,43 +56,49 @@ MineChoice chosen_mine(MineChoice mine, std::optional<int> lesson) {
     return mine;
 }
 
-void show_mine(ViewerState& state, std::optional<int> lesson) {
-    state.mine = chosen_mine(std::move(state.mine), lesson);
+void show_mine(ViewerState& state, std::optional<LessonChoice> lessons) {
+    state.mine = chosen_mine(std::move(state.mine), lessons);
     if (!shows_mine(state)) state.beside = Beside::mine;
-    const learn::Exercise* const exercise = exercise_of(state.mine);
-    if (exercise) state.setup.change(for_lesson(state.setup.now(), *exercise));
+    if (state.mine.chosen) state.setup.change(for_mine(state.setup.now(), state.mine));
 }
 
-void show_last_mine(ViewerState& state) {
-    show_mine(state, state.mine.lesson > 0 ? std::optional(state.mine.lesson) : std::nullopt);
-}
+void show_last_mine(ViewerState& state) { show_mine(state, state.mine.chosen); }
 
 void toggle_mine(ViewerState& state) {
     if (shows_mine(state)) state.beside = Beside::nothing;
     else show_last_mine(state);
 }
 
+bool is_of_all(const MineChoice& mine) { return mine.chosen == LessonChoice(AllLessons{}); }
+
 const learn::Exercise* exercise_of(const MineChoice& mine) {
-    if (mine.workspace)
-        for (const learn::Exercise& exercise : mine.workspace->exercises)
-            if (exercise.number == mine.lesson) return &exercise;
-    return nullptr;
+    const int* const lesson = mine.chosen ? std::get_if<int>(&*mine.chosen) : nullptr;
+    return lesson ? &learn::exercise_called(*mine.workspace, std::to_string(*lesson)) : nullptr;
+}
+
+learn::mine::Lessons lessons_of(const MineChoice& mine) {
+    if (!mine.chosen) return {};
+    const learn::Exercise* const exercise = exercise_of(mine);
+    return exercise ? learn::mine::Lessons{exercise} : learn::mine::drawing_in_double(*mine.workspace);
 }
 
 std::vector<std::filesystem::path> files_of(const MineChoice& mine) {
     std::vector<std::filesystem::path> files;
-    if (const learn::Exercise* const exercise = exercise_of(mine))
+    for (const learn::Exercise* const exercise : lessons_of(mine))
         for (const std::string& header : exercise->headers) files.push_back(mine.workspace->header(*exercise, header));
     return files;
 }
 
-Scalar scalar_of(const learn::Exercise& exercise) {
-    return exercise.own_picture == learn::OwnPicture::by_bounds ? Scalar::certified : Scalar::double_;
+Scalar scalar_of(const MineChoice& mine) {
+    const learn::Exercise* const exercise = exercise_of(mine);
+    const bool by_bounds = exercise && exercise->own_picture == learn::OwnPicture::by_bounds;
+    return by_bounds ? Scalar::certified : Scalar::double_;
 }
 
-Setup for_lesson(Setup setup, const learn::Exercise& exercise) {
-    setup.options.scalar = scalar_of(exercise);
-    setup.options.stage = exercise.stage;
+Setup for_mine(Setup setup, const MineChoice& mine) {
+    const learn::Exercise* const exercise = exercise_of(mine);
+    setup.options.scalar = scalar_of(mine);
+    setup.options.stage = exercise ? exercise->stage : last_stage;
     return setup;
 }
 

@@ -28,11 +28,14 @@ void DrawMine::perform(const Request& request, const Run& run, const std::functi
         deliver(std::make_shared<const learn::mine::PictureUpdate>(std::move(update)));
     };
     const AtWork at_work(run.tools);
-    const auto& [seen, workspace, lesson, saved] = request;
-    const learn::Exercise& exercise = learn::exercise_called(*workspace, std::to_string(lesson));
+    const auto& [seen, workspace, chosen, saved] = request;
+    const Scene scene = applied(*seen.scene, seen.setup);
+    learn::mine::Maker& maker = run.tools.maker;
     try {
-        run.tools.maker.make(*workspace, exercise, applied(*seen.scene, seen.setup), seen.setup.options, tell,
-                             run.stop);
+        if (const int* const lesson = std::get_if<int>(&chosen))
+            maker.make(*workspace, {&learn::exercise_called(*workspace, std::to_string(*lesson))}, scene,
+                       seen.setup.options, tell, run.stop);
+        else maker.make_with_all(*workspace, scene, seen.setup.options, tell, run.stop);
     } catch (const std::exception& error) {  // the machine cannot do it
         learn::mine::PictureUpdate update;
         update.stand = learn::mine::Stand::not_there;

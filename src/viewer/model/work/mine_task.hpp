@@ -14,7 +14,7 @@ struct DrawMine {
     struct Request {
         PictureRequest seen;
         std::shared_ptr<const learn::Workspace> workspace;
-        int lesson;
+        LessonChoice chosen;
         std::uint64_t saved;
 
         bool operator==(const Request&) const = default;
@@ -22,8 +22,8 @@ struct DrawMine {
     using Result = std::shared_ptr<const learn::mine::PictureUpdate>;
 
     static std::optional<Request> wanted(const ViewerState& state) {
-        if (!shows_mine(state) || !exercise_of(state.mine)) return {};
-        return Request{picture_request(state), state.mine.workspace, state.mine.lesson, state.mine.saved};
+        if (!shows_mine(state) || !state.mine.chosen) return {};
+        return Request{picture_request(state), state.mine.workspace, *state.mine.chosen, state.mine.saved};
     }
     static void announce(Tools& tools) { ++tools.mine_asked; }
     static void perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver);

@@ -34,7 +34,9 @@ void TestMine::perform(const Request& request, const Run& run, const std::functi
 }
 
 void TestMine::tidy(const ViewerState& state, Results& results, bool) {
-    if (!runs_tests(state) || (results.tests && results.tests->lesson != state.mine.lesson)) results.tests = nullptr;
+    const bool is_shown =
+        runs_tests(state) && results.tests && results.tests->lesson == exercise_of(state.mine)->number;
+    if (!is_shown) results.tests = nullptr;
 }
 
 void TestMine::show(Result tests, Results& results) {

@@ -23,7 +23,7 @@ struct TestMine {
 
     static std::optional<Request> wanted(const ViewerState& state) {
         if (!runs_tests(state)) return {};
-        return Request{state.mine.workspace, state.mine.lesson, state.mine.saved};
+        return Request{state.mine.workspace, exercise_of(state.mine)->number, state.mine.saved};
     }
     static void perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver);
     static void tidy(const ViewerState& state, Results& results, bool is_new);

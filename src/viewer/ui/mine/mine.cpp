@@ -66,12 +66,18 @@ void draw_lesson_choice(const Frame& frame) {
     for (const learn::Exercise& exercise : state.mine.workspace->exercises) {
         const std::string label = fmt::format("{}##mine", exercise.number);
         flow(label.c_str(), ImGui::GetStyle().ItemInnerSpacing.x);
-        if (toggle(label.c_str(), exercise.number == state.mine.lesson)) show_mine(state, exercise.number);
+        if (toggle(label.c_str(), state.mine.chosen == LessonChoice(exercise.number)))
+            show_mine(state, exercise.number);
         tip(exercise.title.c_str());
     }
+    constexpr const char* all = "all that I have written##mine";
+    flow(all, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (toggle(all, is_of_all(state.mine))) show_mine(state, AllLessons{});
+    tip("Every lesson that you have finished draws, all at once");
 }
 
 std::string mine_title(const ViewerState& state) {
+    if (is_of_all(state.mine)) return "mine: all that I have written";
     const learn::Exercise* const exercise = exercise_of(state.mine);
     return "mine: " + (exercise ? exercise->name : "no lesson");
 }
@@ -106,16 +112,15 @@ void draw_mine_banner(const Frame& frame, ImVec2 corner, ImVec2 size, float left
     list.PopClipRect();
 }
 
-void draw_mine_panel(const Frame& frame) {
+void draw_mine_state(const Frame& frame) {
     ViewerState& state = frame.state;
-    if (!shows_mine(state)) return;
-    draw_lesson_choice(frame);
     const auto [sign, color] = mine_sign(frame);
     const std::string words = mine_words(frame);
     const PictureUpdate* const update = frame.results.mine.get();
     const bool drawn = update && update->stand == Stand::drawn;
     draw_wrapped(color, fmt::format("{} {}", sign, words.empty() && drawn ? how_long(*update) : words));
     if (!update) return;
+    if (!update->by_whom.empty()) draw_wrapped(update->by_whom);
     if (const std::string source = source_of(*update); !source.empty()) {
         ImGui::PushFont(frame.fonts.mono);
         ImGui::TextUnformatted(source.c_str());
@@ -128,11 +133,10 @@ void draw_mine_panel(const Frame& frame) {
     if (mine_is_old(frame)) faint(frame, "The picture is the last one that there was.");
     if (drawn && update->drawing->not_numbers > 0) swatch({255, 0, 255}, "not a number (NaN)");
     if (drawn && update->drawing->undecided > 0) swatch({255, 160, 0}, "undecided; counted below where it is not ours");
-    const learn::Exercise* const exercise = exercise_of(state.mine);
-    if (exercise && state.setup.now().options.scalar != scalar_of(*exercise))
+    if (state.mine.chosen && state.setup.now().options.scalar != scalar_of(state.mine))
         draw_wrapped(frame.palette.warning,
                      fmt::format("⚠ Ours is not computed in {} now: it may differ from mine by rounding alone.",
-                                 name_of(scalar_of(*exercise))));
+                                 name_of(scalar_of(state.mine))));
     if (update->said.empty()) return;
     faint(frame, "It printed:");
     ImGui::PushFont(frame.fonts.mono);

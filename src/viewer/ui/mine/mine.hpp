@@ -32,7 +32,7 @@ void draw_lesson_choice(const Frame& frame);
 void draw_looked_at(const Frame& frame);
 void draw_looked_at_banner(const Frame& frame, ImVec2 corner, ImVec2 size);
 
-/// The lessons to choose from, the state of the picture, and what the code printed: a part of the overlay's page.
-void draw_mine_panel(const Frame& frame);
+/// The state of the picture, which lessons draw it, and what the code printed.
+void draw_mine_state(const Frame& frame);
 
 }  // namespace glassbox

@@ -186,6 +186,11 @@ void draw_tests(const Frame& frame, const ToldTests& tests) {
     ImGui::EndChild();
 }
 
+void draw_all(const Frame& frame) {
+    draw_mine_state(frame);
+    faint(frame, "Tests are run for one lesson at a time: choose it above.");
+}
+
 }  // namespace
 
 void draw_mine(const Frame& frame) {
@@ -199,6 +204,7 @@ void draw_mine(const Frame& frame) {
     draw_lesson_choice(frame);
     if (state.looked_at) draw_back_button(frame);
     if (!state.mine.problem.empty()) draw_wrapped(frame.palette.warning, "⚠ " + state.mine.problem);
+    else if (is_of_all(state.mine)) draw_all(frame);
     else if (frame.results.tests) draw_tests(frame, *frame.results.tests);
 }
 

@@ -107,7 +107,8 @@ void draw_beside(const Frame& frame) {
     if (state.beside == Beside::overlay && state.overlay.measurement.empty())
         faint(frame, "Nothing is laid over yet: choose a measurement above.");
     if (shows_mine(state)) {
-        draw_mine_panel(frame);
+        draw_lesson_choice(frame);
+        draw_mine_state(frame);
         if (frame.results.mine && frame.results.mine->stand == learn::mine::Stand::drawn) tell_difference(frame);
         if (state.beside == Beside::mine_difference) difference_legend(frame);
     }
