@@ -33,6 +33,9 @@ TEST_CASE("what is wrong with a script's quotes, and with names in them, is told
                         {"open.script:2:3: error: ", "'\"my scene'", "closed"});
     test::write(folder / "none.script", "open 'no such scene'\n");
     test::check_refused(folder, {"view", "--script", "none.script"}, 1, {"none.script:1:1: error: ", "no such scene"});
+    test::write(folder / "lesson.script", "set lesson alll\n");
+    test::check_refused(folder, {"view", "--script", "lesson.script"}, 1,
+                        {"lesson.script:1:1: error: ", "'alll' must be the number of a lesson, or all"});
     std::string deep = "a";
     for (int k = 0; k < 40000; ++k) deep += ".b";
     deep += " = 1\n";

@@ -120,7 +120,7 @@ void draw_mine_state(const Frame& frame) {
     const bool drawn = update && update->stand == Stand::drawn;
     draw_wrapped(color, fmt::format("{} {}", sign, words.empty() && drawn ? how_long(*update) : words));
     if (!update) return;
-    if (!update->by_whom.empty()) draw_wrapped(update->by_whom);
+    if (update->drawing && !update->by_whom.empty()) draw_wrapped(update->by_whom);
     if (const std::string source = source_of(*update); !source.empty()) {
         ImGui::PushFont(frame.fonts.mono);
         ImGui::TextUnformatted(source.c_str());
