@@ -140,6 +140,15 @@ TEST_CASE_TEMPLATE("a normal is the same at every size", Real, float, double, lo
     CHECK(close(normal_at(Ray<Real>{far_off.C, {0, 0, -1}}, far_off.r, far_off), {0, 0, -1}));
 }
 
+TEST_CASE_TEMPLATE("from the centre of a sphere about the origin the normal is along the ray", Real, float, double,
+                   long double) {
+    // Of radius 5, met from inside at t = 1, in (3, 4, 0): n = (3, 4, 0)/5. The start's exponent is that of 0.
+    const Vec3<Real> n = normal_at(Ray<Real>{{0, 0, 0}, {3, 4, 0}}, Real(1), Sphere<Real>{{0, 0, 0}, 5});
+    CHECK(n.x == Real(3) / 5);
+    CHECK(n.y == Real(4) / 5);
+    CHECK(n.z == 0);
+}
+
 TEST_CASE("a normal has its digits where t overflows or is subnormal, and far off where doubles tell nothing of it") {
     // About the origin, radius 2. From (1, 0, 10) along −z the sphere is met at z = √3, from inside, at (1, 0, 0), at
     // z = −√3. Times powers of two that make t more than any double, or leave it 24 bits.

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <ray.hpp>
 #include <sphere.hpp>
@@ -63,7 +64,8 @@ Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
 template <class Real>
 Vec3<Real> normal_at(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sphere) {
     const int e = exponent(Vec3<Real>{sphere.r, sphere.r, sphere.r});
-    const bool is_far_off = std::max(exponent(ray.P), exponent(sphere.C)) - 12 > e;
+    const std::int64_t farthest = std::max(exponent(ray.P), exponent(sphere.C));  // at the origin the least int
+    const bool is_far_off = farthest - 12 > e;
     // A small sphere far from the origin: relative to its centre, the point loses no digits to c.
     if (is_far_off || e < -40 || e > 40) return unit_normal(Sphere<Real>{{}, sphere.r}, ray.P - sphere.C + t * ray.D);
     return normal(sphere, at(ray, t));
