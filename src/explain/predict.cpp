@@ -4,6 +4,7 @@
 
 #include "explain/phrases.hpp"
 #include "explain/questions.hpp"
+#include "scene/text_file.hpp"
 
 namespace glassbox {
 
@@ -21,12 +22,6 @@ std::string_view possible_answers(Asked asked) {
     return "";
 }
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 /// A reader who is being asked.
 class Reader {
 public:
@@ -42,7 +37,7 @@ public:
              asking = fmt::format("  {}, Enter to skip, q to end: ", possible_answers(asked))) {
             say_(asking);
             const std::optional<std::string> line = read_();
-            const std::string_view typed = line ? without_blanks(*line) : "q";
+            const std::string_view typed = line ? trimmed(*line) : "q";
             is_there_ = typed != "q";
             if (!is_there_ || typed.empty()) return {};
             if (const std::optional<double> said = answer_in(typed, asked)) return said;

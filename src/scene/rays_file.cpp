@@ -20,12 +20,6 @@ namespace {
 
 constexpr std::string_view header = "ox,oy,oz,dx,dy,dz";
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// A line without the carriage return that Windows ends it with.
 std::string_view without_return(std::string_view line) {
     if (line.ends_with('\r')) line.remove_suffix(1);

@@ -5,6 +5,16 @@
 
 namespace glassbox {
 
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const char* before_last) {
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : before_last) + words[i];
+    return text;
+}
+
+}  // namespace
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     const auto same = [](char x, char y) {
         return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
@@ -45,11 +55,8 @@ std::string counted(std::size_t count, std::string_view thing) {
     return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
 }
 
-std::string either(const std::vector<std::string>& words) {
-    std::string text = words.front();
-    for (std::size_t i = 1; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
-    return text;
-}
+std::string either(const std::vector<std::string>& words) { return joined(words, " or "); }
+std::string enumerated(const std::vector<std::string>& words) { return joined(words, " and "); }
 
 std::string suggestion(std::string_view unknown, std::span<const std::string_view> known) {
     std::string near = did_you_mean(unknown, known);

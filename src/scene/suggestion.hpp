@@ -20,7 +20,8 @@ std::string did_you_mean(std::string_view unknown, const std::vector<std::string
 /// "1 test", "2 tests".
 std::string counted(std::size_t count, std::string_view thing);
 
-/// "a, b or c", of at least one word.
+/// "a, b or c", and "a, b and c", of at least one word.
 std::string either(const std::vector<std::string>& words);
+std::string enumerated(const std::vector<std::string>& words);
 
 }  // namespace glassbox

@@ -63,6 +63,12 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
 std::optional<std::size_t> first_not_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto [code, size] = first_character(text.substr(i));

@@ -20,6 +20,9 @@ std::string read_lines(const std::filesystem::path& file);
 /// The lines of a text, without their newlines; a last newline begins no further line.
 std::vector<std::string_view> lines_of(std::string_view text);
 
+/// The text without blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// The offset of the first byte that is not well-formed UTF-8, if there is one.
 std::optional<std::size_t> first_not_utf8(std::string_view text);
 

@@ -10,6 +10,7 @@
 
 #include "explain/explain.hpp"
 #include "explain/predict.hpp"
+#include "far_sphere.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace glassbox;
@@ -31,16 +32,7 @@ struct Told {
 
 Told tell(int column, int row) { return {explain(paper(), {}, column, 499 - row)}; }
 
-/// A sphere of radius 50, ten millions away, in float by the textbook.
-Told tell_far(int column) {
-    Scene scene = paper();
-    scene.triangles.clear();
-    scene.spheres = {{{-9999500, 350, 350}, 50, {0, 255, 0}}};
-    Options options;
-    options.scalar = Scalar::float_;
-    options.sphere_rule = Textbook{};
-    return {explain(scene, options, column, 149)};
-}
+Told tell_far(int column) { return {story_of_far_sphere(column)}; }
 
 const Question* find(const Told& told, Asked asked, const std::string& formula) {
     for (const Question& question : told.all)

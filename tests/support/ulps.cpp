@@ -63,18 +63,8 @@ void check_within(Real got, Real expected, Real most, const char* expression, co
         {file, line, expression, shown(expected), shown(got), ulps(got, expected), compared(expected), compared(got)});
 }
 
-#define GLASSBOX_CHECKED_IN(Real)                                                                                      \
-    template double ulps(Real, Real);                                                                                  \
-    template double ulps(const std::array<Real, 3>&, const std::array<Real, 3>&);                                      \
-    template std::string shown(Real);                                                                                  \
-    template std::string shown(const std::array<Real, 3>&);                                                            \
-    template void check_ulps(const Real&, const Real&, double, const char*, const char*, int);                         \
-    template void check_ulps(const std::array<Real, 3>&, const std::array<Real, 3>&, double, const char*, const char*, \
-                             int);                                                                                     \
-    template void check_within(Real, Real, Real, const char*, const char*, int)
-GLASSBOX_CHECKED_IN(float);
-GLASSBOX_CHECKED_IN(double);
-GLASSBOX_CHECKED_IN(long double);
-#undef GLASSBOX_CHECKED_IN
+GLASSBOX_CHECKED_IN(, float);
+GLASSBOX_CHECKED_IN(, double);
+GLASSBOX_CHECKED_IN(, long double);
 
 }  // namespace glassbox::test

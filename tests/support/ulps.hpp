@@ -69,19 +69,19 @@ void check_ulps(const std::array<Real, 3>& got, const std::array<Real, 3>& expec
 template <class Real>
 void check_within(Real got, Real expected, Real most, const char* expression, const char* file, int line);
 
-#define GLASSBOX_CHECKED_IN(Real)                                                                                \
-    extern template double ulps(Real, Real);                                                                     \
-    extern template double ulps(const std::array<Real, 3>&, const std::array<Real, 3>&);                         \
-    extern template std::string shown(Real);                                                                     \
-    extern template std::string shown(const std::array<Real, 3>&);                                               \
-    extern template void check_ulps(const Real&, const Real&, double, const char*, const char*, int);            \
-    extern template void check_ulps(const std::array<Real, 3>&, const std::array<Real, 3>&, double, const char*, \
-                                    const char*, int);                                                           \
-    extern template void check_within(Real, Real, Real, const char*, const char*, int)
-GLASSBOX_CHECKED_IN(float);
-GLASSBOX_CHECKED_IN(double);
-GLASSBOX_CHECKED_IN(long double);
-#undef GLASSBOX_CHECKED_IN
+// What is compiled once, in ulps.cpp: declared by `extern`, made by nothing before it.
+#define GLASSBOX_CHECKED_IN(linkage, Real)                                                                        \
+    linkage template double ulps(Real, Real);                                                                     \
+    linkage template double ulps(const std::array<Real, 3>&, const std::array<Real, 3>&);                         \
+    linkage template std::string shown(Real);                                                                     \
+    linkage template std::string shown(const std::array<Real, 3>&);                                               \
+    linkage template void check_ulps(const Real&, const Real&, double, const char*, const char*, int);            \
+    linkage template void check_ulps(const std::array<Real, 3>&, const std::array<Real, 3>&, double, const char*, \
+                                     const char*, int);                                                           \
+    linkage template void check_within(Real, Real, Real, const char*, const char*, int)
+GLASSBOX_CHECKED_IN(extern, float);
+GLASSBOX_CHECKED_IN(extern, double);
+GLASSBOX_CHECKED_IN(extern, long double);
 
 }  // namespace glassbox::test
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "../explain/far_sphere.hpp"
 #include "explain/explain.hpp"
 #include "explain/loss.hpp"
 #include "scene/scene_file.hpp"
@@ -117,17 +118,8 @@ TEST_CASE("a face of the tetrahedron") {
     CHECK(events[failed + 1].what.starts_with("surface 0: missed"));
 }
 
-// In float, 24 bits, a sphere of radius 50 ten millions away: (v·D)² = v² = 10¹⁴ is rounded, both alike, to a multiple
-// of 2²³, compared with which r² = 2500 is nothing; so Δ = 0 instead of 2500, and all 24 bits are lost in that one
-// difference.
 TEST_CASE("the next cancellation is where the textbook's discriminant loses all") {
-    Scene scene = paper();
-    scene.triangles.clear();
-    scene.spheres = {{{-9999500, 350, 350}, 50, {0, 255, 0}}};
-    Options options;
-    options.scalar = Scalar::float_;
-    options.sphere_rule = Textbook{};
-    const Story story = explain(scene, options, 350, 149);
+    const Story story = story_of_far_sphere(350);
     const std::vector<Event> events = timeline(story);
     const std::size_t found = stepped(events, 0, StepTo::next_cancellation);
     CHECK(events[found].formula == "Δ = ((P − centre)·D)² − D² ((P − centre)² − radius²)");

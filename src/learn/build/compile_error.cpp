@@ -15,6 +15,7 @@
 #include "learn/build/headers.hpp"
 #include "learn/build/meant.hpp"
 #include "learn/build/plain_words.hpp"
+#include "learn/build/source_text.hpp"
 #include "learn/build/unclosed.hpp"
 #include "scene/printable.hpp"
 #include "scene/suggestion.hpp"
@@ -212,11 +213,9 @@ OperatorInSource operation_at(const CompileError& error) {
 }
 
 bool is_word_of(std::string_view text, std::string_view word) {
-    const auto in_a_word = [&](std::size_t i) {
-        return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
-    };
+    const auto goes_on = [&](std::size_t i) { return i < text.size() && in_a_word(text[i]); };
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
-        if (!in_a_word(at - 1) && !in_a_word(at + word.size())) return true;
+        if (!goes_on(at - 1) && !goes_on(at + word.size())) return true;
     return false;
 }
 
@@ -295,12 +294,8 @@ std::string of_members(const CompileError& error, const std::vector<fs::path>& h
     if (member.empty() || type.empty()) return "";
     type = type.substr(0, type.find('<'));
     type = type.substr(type.find_last_of(": ") == std::string::npos ? 0 : type.find_last_of(": ") + 1);
-    std::vector<std::string> members = members_of(type, headers);
-    if (members.empty()) return "";
-    const std::string last = std::move(members.back());
-    members.pop_back();
-    return fmt::format("A {} has no member {}: it has {}{}{}.", type, member, fmt::join(members, ", "),
-                       members.empty() ? "" : " and ", last);
+    const std::vector<std::string> members = members_of(type, headers);
+    return members.empty() ? "" : fmt::format("A {} has no member {}: it has {}.", type, member, enumerated(members));
 }
 
 /// Returns the words for an include of something that a later lesson introduces.

@@ -11,12 +11,8 @@ namespace {
 
 /// The lines of a text without surrounding spaces: learners indent as they like.
 std::vector<std::string_view> bare_lines(std::string_view text) {
-    constexpr std::string_view spaces = " \t\r";
     std::vector<std::string_view> lines = lines_of(text);
-    for (std::string_view& line : lines) {
-        line.remove_prefix(std::min(line.find_first_not_of(spaces), line.size()));
-        line = line.substr(0, line.find_last_not_of(spaces) + 1);
-    }
+    for (std::string_view& line : lines) line = trimmed(line);
     return lines;
 }
 

@@ -4,27 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "learn/build/headers.hpp"
+#include "learn/build/source_text.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 
 namespace glassbox::learn {
-namespace meaning {  // several files are compiled as one: these names are only ours
+namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view spaces = " \t\r\n";
-
-bool in_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_a_name(char c) { return in_a_word(c) || c == '.'; }
-
-std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
-    return text.substr(0, text.find_last_not_of(spaces) + 1);
-}
 
 std::string_view word_at_front(std::string_view text) {
     return text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, in_a_word) - text.begin()));
@@ -162,7 +154,7 @@ std::string of_braces(const CompileError& error) {
                        returns ? fmt::format(": write {}{{…}}", type) : "");
 }
 
-}  // namespace meaning
+}  // namespace
 
 std::size_t length_of_operand(std::string_view text, bool backwards) {
     const auto at = [&](std::size_t i) { return text[backwards ? text.size() - 1 - i : i]; };
@@ -171,7 +163,7 @@ std::size_t length_of_operand(std::string_view text, bool backwards) {
     for (int depth = 0; end < text.size(); ++end) {
         if (at(end) == open) ++depth;
         else if (at(end) == close && --depth < 0) break;
-        else if (depth == 0 && at(end) != close && !meaning::in_a_name(at(end))) break;
+        else if (depth == 0 && at(end) != close && !in_a_name(at(end))) break;
     }
     return end;
 }
@@ -179,7 +171,7 @@ std::size_t length_of_operand(std::string_view text, bool backwards) {
 Declared declared_above(std::string_view source, std::size_t line) {
     const std::vector<std::string_view> lines = lines_of(source);
     std::size_t begin = std::min(line, lines.size());
-    while (begin > 0 && !meaning::trimmed(lines[begin - 1]).starts_with("template")) --begin;
+    while (begin > 0 && !trimmed(lines[begin - 1]).starts_with("template")) --begin;
     if (begin == 0) return {};
     // From behind template <…>, which may have the declaration in its own line, to the body.
     std::string text;
@@ -194,9 +186,9 @@ Declared declared_above(std::string_view source, std::size_t line) {
     const std::string_view declaration = std::string_view(text).substr(behind + 1);
     const std::size_t open = declaration.find('(');
     if (open == std::string_view::npos) return {};
-    const std::string_view before = meaning::trimmed(declaration.substr(0, open));
+    const std::string_view before = trimmed(declaration.substr(0, open));
     Declared declared;
-    declared.returns = meaning::returned_type(before.substr(0, before.size() - meaning::word_at_end(before).size()));
+    declared.returns = returned_type(before.substr(0, before.size() - word_at_end(before).size()));
     std::string parameter;
     int inside = 1;
     for (const char c : declaration.substr(open + 1)) {
@@ -206,10 +198,9 @@ Declared declared_above(std::string_view source, std::size_t line) {
             parameter += c;
             continue;
         }
-        const std::string_view whole = meaning::trimmed(parameter), name = meaning::word_at_end(whole);
+        const std::string_view whole = trimmed(parameter), name = word_at_end(whole);
         if (!name.empty() && name.size() < whole.size())
-            declared.parameters.push_back(
-                {meaning::bare_type(whole.substr(0, whole.size() - name.size())), std::string(name)});
+            declared.parameters.push_back({bare_type(whole.substr(0, whole.size() - name.size())), std::string(name)});
         parameter.clear();
         if (inside == 0) break;
     }
@@ -254,10 +245,8 @@ std::vector<std::string> members_of(const std::string& name, const std::vector<s
 }
 
 std::string meant(const CompileError& error, const std::vector<std::filesystem::path>& folders) {
-    if (const std::string name = meaning::undeclared(error.message); !name.empty())
-        return meaning::of_a_name(name, error, folders);
-    for (const auto& known : {meaning::of_a_type, meaning::of_a_template, meaning::of_an_optional, meaning::of_a_square,
-                              meaning::of_braces})
+    if (const std::string name = undeclared(error.message); !name.empty()) return of_a_name(name, error, folders);
+    for (const auto& known : {of_a_type, of_a_template, of_an_optional, of_a_square, of_braces})
         if (std::string words = known(error); !words.empty()) return words;
     return "";
 }
@@ -268,7 +257,7 @@ std::string takes_degrees(std::string_view source, std::size_t line) {
     constexpr std::string_view call = "cos_sin(";
     const std::size_t at = lines[line - 1].find(call);
     if (at == std::string_view::npos) return "";
-    const std::string_view argument = meaning::word_at_front(lines[line - 1].substr(at + call.size()));
+    const std::string_view argument = word_at_front(lines[line - 1].substr(at + call.size()));
     if (!lines[line - 1].substr(at + call.size() + argument.size()).starts_with(')')) return "";
     for (const auto& [type, name] : declared_above(source, line).parameters)
         if (name == argument && type == "Turn")

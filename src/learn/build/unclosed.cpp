@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "learn/build/source_text.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -15,7 +17,6 @@ struct Spot {
 };
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
-bool in_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 /// The beginning of what a brace opens, or of any other statement.
 struct Statement {

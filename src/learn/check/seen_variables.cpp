@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "learn/build/source_text.hpp"
+
 namespace glassbox::learn {
 namespace {
 
@@ -21,7 +23,6 @@ struct Token {
     int line;
 };
 
-bool in_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_word(std::string_view text) { return in_a_word(text[0]) && !std::isdigit(static_cast<unsigned char>(text[0])); }
 
 /// The source's tokens, as far as they matter here: words, numbers, operators. A text is one token, '"'.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/error.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox::learn::mine {
 namespace {
@@ -51,13 +52,10 @@ std::string lacking(const Workspace& workspace, const Exercise& exercise) {
 }
 
 /// "lesson 2"; "lessons 1, 2 and 4".
-std::string enumerated(const Lessons& lessons) {
-    std::string words = lessons.size() == 1 ? "lesson " : "lessons ";
-    for (std::size_t i = 0; i < lessons.size(); ++i) {
-        if (i > 0) words += i + 1 == lessons.size() ? " and " : ", ";
-        words += std::to_string(lessons[i]->number);
-    }
-    return words;
+std::string numbered(const Lessons& lessons) {
+    std::vector<std::string> numbers;
+    for (const Exercise* const exercise : lessons) numbers.push_back(std::to_string(exercise->number));
+    return (lessons.size() == 1 ? "lesson " : "lessons ") + enumerated(numbers);
 }
 
 }  // namespace
@@ -88,7 +86,7 @@ std::string in_words(const Written& written, const Workspace& workspace) {
     for (const auto& [exercise, waits_for] : written.begun)
         waiting += fmt::format("; lesson {} waits for {}", exercise->number, waits_for);
     if (!written.finished.empty())
-        return fmt::format("drawn by {} of yours{}{}", enumerated(written.finished), waiting,
+        return fmt::format("drawn by {} of yours{}{}", numbered(written.finished), waiting,
                            written.is_all ? "" : "; the rest is ours");
     if (!written.begun.empty())
         return fmt::format("no lesson of yours is finished yet{}; '{} learn test {}' says what comes next", waiting,

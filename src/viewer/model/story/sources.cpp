@@ -12,11 +12,6 @@ namespace glassbox {
 
 namespace {
 
-std::string_view trimmed(std::string_view line) {
-    const std::size_t begin = line.find_first_not_of(' ');
-    return begin == std::string_view::npos ? std::string_view() : line.substr(begin);
-}
-
 bool describes(std::string_view line) {
     const std::string_view text = trimmed(line);
     return text.starts_with("///") && !text.starts_with("///<");
