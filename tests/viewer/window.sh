@@ -79,15 +79,25 @@ in_window() {
     fail "the settings are not what was chosen: $(cat "$settings")"
 }
 
-if [ "$1" = --inside ]; then
-    glassbox=$2 folder=$3
-    in_window
-    exit
-fi
+# A display of our own. The server takes a number that is free and writes it once clients can come; it stays as it is when
+# the last client leaves: one that came while it began anew was turned away.
+start_display() {
+    Xvfb -displayfd 3 -screen 0 1024x640x24 -nolisten tcp -noreset 3>"$folder/display" >"$folder/xvfb" 2>&1 &
+    server=$!
+    wait_until is_written "$folder/display" || fail "Xvfb does not start: $(cat "$folder/xvfb")"
+    DISPLAY=:$(cat "$folder/display")
+    export DISPLAY
+}
+is_written() { [ "$(wc -l <"$1")" = 1 ]; }
 
-glassbox=$1 scene=$2
+clean_up() {
+    [ -z "$server" ] || kill "$server" 2>/dev/null || true
+    rm -rf "$folder"
+}
+
+glassbox=$1 scene=$2 server=
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+trap clean_up EXIT
 cp "$scene" "$folder/scene.toml"
 
 # Without a display: one line, which names what works without one.
@@ -98,7 +108,8 @@ env -u DISPLAY -u WAYLAND_DISPLAY XDG_CONFIG_HOME="$folder" "$glassbox" view "$f
 [ "$(wc -l <"$folder/err")" = 1 ] || fail "without a display it says: $(cat "$folder/err")"
 grep -q 'no display.*--screenshot' "$folder/err" || fail "without a display it says: $(cat "$folder/err")"
 
-for tool in xvfb-run xdotool; do
+for tool in Xvfb xdotool; do
     command -v "$tool" >/dev/null || { echo "SKIPPED: there is no $tool"; exit 77; }
 done
-xvfb-run -a -s '-screen 0 1024x640x24' bash "$0" --inside "$glassbox" "$folder"
+start_display
+in_window
