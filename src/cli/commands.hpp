@@ -18,7 +18,7 @@ void add_shoot(CLI::App& program, Session& session);
 void add_bench(CLI::App& program, Session& session);
 void add_explain(CLI::App& program);
 void add_scene(CLI::App& program);
-void add_view(CLI::App& program);
+void add_view(CLI::App& program, Session& session);
 void add_learn(CLI::App& program, Session& session);
 void add_doctor(CLI::App& program);
 

@@ -88,7 +88,7 @@ void print(std::vector<double> seconds) {
         seconds.size(), seconds[seconds.size() / 2], seconds.back());
 }
 
-void run(const ViewRequest& request) {
+void run(const ViewRequest& request, const std::stop_token& stop) {
     const std::optional<WindowSize> size = window_size(request);
     std::vector<script::Command> commands;
     if (!request.script.empty()) commands = script::read(read_lines(request.script), request.script);
@@ -106,13 +106,13 @@ void run(const ViewRequest& request) {
     if (request.bench && !request.mine.empty())
         return print(saving_to_picture(std::move(state), size.value_or(WindowSize{1280, 720}), 10));
     if (request.bench) return print(quickness(std::move(state), size.value_or(WindowSize{1280, 720})));
-    if (commands.empty() && request.script.empty()) view(std::move(state), size);
+    if (commands.empty() && request.script.empty()) view(std::move(state), size, stop);
     else script::run(std::move(state), commands, size.value_or(WindowSize{1280, 800}));
 }
 
 }  // namespace
 
-void add_view(CLI::App& program) {
+void add_view(CLI::App& program, Session& session) {
     const auto request = std::make_shared<ViewRequest>();
     CLI::App* command = program.add_subcommand("view", "Open the viewer: click a pixel, see everything that made it");
     command
@@ -143,7 +143,7 @@ void add_view(CLI::App& program) {
              request->screenshot);
     command->add_flag("--bench", request->bench, "measure how quickly the interface answers, without a display");
     command->footer("Example: glassbox view levental-2014 --pixel 350,149 --overlay margin");
-    command->callback([request] { run(*request); });
+    command->callback([request, &session] { run(*request, session.interrupt.token()); });
 }
 
 }  // namespace glassbox

@@ -4,7 +4,7 @@
 namespace glassbox {
 
 // Compiled instead of view.cpp if the viewer's libraries are missing.
-void add_view(CLI::App& program) {
+void add_view(CLI::App& program, Session&) {
     CLI::App* command = program.add_subcommand("view", "Open the viewer (not in this build)");
     command->allow_extras();
     command->callback([] {

@@ -221,7 +221,7 @@ Mesh read_obj(const std::filesystem::path& file, const Rgb& color) {
     if (faces.empty() && has_faces(text))
         throw error_at({source.file}, "no face has an area; there must be one whose corners do not all lie on a line");
     if (faces.empty()) throw error_at({source.file}, "there are no faces; an OBJ file must have lines like f 1 2 3");
-    return {std::move(vertices), std::move(faces), color};
+    return {std::move(vertices), std::move(faces), color, file.string()};
 }
 
 }  // namespace glassbox

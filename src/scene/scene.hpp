@@ -46,6 +46,7 @@ struct Mesh {
     std::vector<Vec3<double>> vertices;
     std::vector<std::array<std::uint32_t, 3>> faces;
     Rgb color;
+    std::string file = {};  ///< that it was read from; empty: none
 };
 
 /// The content of a scene file. Surfaces are numbered: spheres first, then triangles, then mesh faces, each in file

@@ -275,6 +275,39 @@ TEST_CASE("stages know no surfaces, then spheres, then triangles; of many faces 
     check_equal(few.boxes[0][1], {5, 10, 10});
 }
 
+TEST_CASE("a mesh of very many triangles is drawn coarser, and still covers its shape") {
+    // A square sheet of 200 × 200 × 2 = 80,000 triangles with sides of 1, from 0 to 200 in y and z: its coarser one
+    // must cover nearly its area, 40,000, with corners on it.
+    Scene scene;
+    Mesh sheet;
+    constexpr std::uint32_t n = 200;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j) sheet.vertices.push_back({5, 1.0 * i, 1.0 * j});
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (std::uint32_t j = 0; j < n; ++j) {
+            const std::uint32_t k = i * (n + 1) + j;
+            sheet.faces.push_back({k, k + n + 1, k + 1});
+            sheet.faces.push_back({k + 1, k + n + 1, k + n + 2});
+        }
+    scene.meshes = {sheet};
+    const SurfacesInSpace surfaces = surfaces_in_space(scene, 5);
+    CHECK(surfaces.coarser);
+    CHECK(surfaces.all_triangles == 80000);
+    CHECK(surfaces.shown.triangles.size() <= 3000);
+    CHECK(surfaces.shown.triangles.size() > 1000);
+    double covered = 0;
+    for (const auto& [A, B, C] : surfaces.shown.triangles) {
+        CHECK(A.x == 5);
+        covered += length(cross(B - A, C - A)) / 2;
+    }
+    CHECK(covered > 0.9 * 40000);
+    CHECK(covered < 1.01 * 40000);
+    // Which surface is seen there is not told: many stand behind one.
+    const SpaceDrawing drawing = space_drawing(scene, setup_of(scene), surfaces, nullptr, nullptr);
+    const Camera behind = camera({180, 0, 1}, drawing.sight, surfaces.upright, area);
+    CHECK_FALSE(seen_at(behind, project(behind, {5, 100, 100}).at, surfaces, drawing).surface);
+}
+
 TEST_CASE("large triangles are cut into parts that cover them exactly") {
     // The area of all parts is the triangle's own, 400·300/2; and the outer sides are marked as its edges: their
     // lengths add up to 400 + 300 + 500.

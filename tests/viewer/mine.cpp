@@ -109,7 +109,19 @@ TEST_CASE("it is looked at in double, at the lesson's stage, and undo takes that
     CHECK(viewer.state.mine.problem.find("there is no lesson '77'") == 0);
     toggle_mine(viewer.state);
     CHECK(viewer.state.beside == Beside::nothing);
+    // As the file says again, which names no scalar: certified.
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::certified);
     toggle_mine(viewer.state);  // the last one shown
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::double_);
+    Setup chosen = viewer.state.setup.now();
+    chosen.options.scalar = Scalar::float_;
+    viewer.state.setup.change(chosen);
+    toggle_mine(viewer.state);  // what was chosen meanwhile stays
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::float_);
+    show_beside(viewer.state, Beside::mine);
+    show_beside(viewer.state, Beside::other);
+    CHECK(viewer.state.setup.now().options.scalar == Scalar::float_);
+    show_beside(viewer.state, Beside::mine);
     CHECK(viewer.state.mine.chosen == LessonChoice(5));
     CHECK(viewer.state.mine.problem == "");
 }

@@ -14,6 +14,19 @@ TEST_CASE("A fitted picture is as large as the area allows, and in its middle") 
     CHECK(view.origin.y == doctest::Approx(0));
 }
 
+TEST_CASE("A picture opens one to one or by a whole number, on whole pixels of the screen") {
+    // Into 800 × 601: 1.2 → 1, (800 − 500)/2 = 150, (601 − 500)/2 = 50.5 → 51; 160 × 80 fits 5 times; 200 × 150 4
+    // times.
+    const PictureView once = fitted_by_whole_multiple({800, 601}, 500, 500);
+    CHECK(once.zoom == 1);
+    CHECK(once.origin.x == 150);
+    CHECK(once.origin.y == 51);
+    CHECK(fitted_by_whole_multiple({800, 600}, 160, 80).zoom == 5);
+    CHECK(fitted_by_whole_multiple({800, 600}, 200, 150).zoom == 4);
+    // Too large: as large as fits, 800/1000.
+    CHECK(fitted_by_whole_multiple({800, 600}, 1000, 500).zoom == doctest::Approx(.8));
+}
+
 TEST_CASE("A point of the screen lies on the pixel that is drawn there") {
     const PictureView view{8, {100, 40}};
     CHECK(view.pixel_at({100, 40}) == Pixel{0, 0});

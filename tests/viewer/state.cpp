@@ -7,6 +7,8 @@
 
 #include "output/folder.hpp"
 #include "render/render.hpp"
+#include "viewer/model/state/keys.hpp"
+#include "viewer/model/state/tour.hpp"
 
 using namespace glassbox;
 using test::Folder;
@@ -176,4 +178,104 @@ TEST_CASE("where a vector points") {
     CHECK(back.x == doctest::Approx(3));
     CHECK(back.z == doctest::Approx(3 * std::sqrt(2.0)));
     CHECK(vector_of({90, 0, 2}) == Vec3<double>{0, 2, 0});  // quarter turns are exact
+}
+
+TEST_CASE(
+    "the files of a scene's meshes are known, and a mesh that changes or goes is noticed when the scene is read "
+    "again") {
+    const Folder folder;
+    const auto file = folder / "s.toml", obj = folder / "m.obj";
+    write(obj, "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+    write(file, small + "[[mesh]]\nfile = 'm.obj'\n[[mesh]]\nfile = 'm.obj'\n");
+    ViewerState state = opened(file);
+    CHECK(mesh_files(*state.scene) == std::vector{obj});  // twice in the scene, one file
+    write(obj, "v 0 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\nf 1 2 4\n");
+    reload(state);
+    CHECK(state.scene->meshes.front()->faces.size() == 2);
+    std::filesystem::remove(obj);
+    reload(state);
+    CHECK(state.file_error.find("m.obj") != std::string::npos);
+    CHECK(state.scene->meshes.front()->faces.size() == 2);  // the last good scene
+    CHECK(mesh_files(*state.scene) == std::vector{obj});    // so that it is noticed when it comes back
+}
+
+TEST_CASE("a slider of turns sets the last turn anew, or begins one about another axis") {
+    const Folder folder;
+    write(folder / "s.toml", small);
+    const Setup none = opened(folder / "s.toml").setup.now();
+    const auto turns = [](const Setup& setup) { return setup.options.turns; };
+    using Turns = std::vector<Turn<double>>;
+    CHECK(last_turn(none, Axis::z) == 0);
+    const Setup z10 = with_last_turn(none, Axis::z, 10);
+    CHECK(turns(z10) == Turns{{Axis::z, 10}});
+    CHECK(last_turn(z10, Axis::z) == 10);
+    CHECK(last_turn(z10, Axis::y) == 0);
+    CHECK(turns(with_last_turn(z10, Axis::z, -35)) == Turns{{Axis::z, -35}});
+    CHECK(turns(with_last_turn(z10, Axis::y, 5)) == Turns{{Axis::z, 10}, {Axis::y, 5}});
+    CHECK(turns(with_last_turn(z10, Axis::z, 0)).empty());
+    CHECK(turns(with_last_turn(z10, Axis::y, 0)) == Turns{{Axis::z, 10}});
+}
+
+TEST_CASE("the tour has seven stops, can go back, and can be left") {
+    const Folder folder;
+    write(folder / "s.toml", small);
+    ViewerState state = opened(folder / "s.toml");
+    REQUIRE(tour().size() == 7);
+    state.space_shown = false;
+    begin_tour(state);
+    std::vector<WindowPart> parts;
+    while (state.tour) {
+        parts.push_back(tour()[*state.tour].part);
+        if (tour()[*state.tour].page) CHECK(state.page == *tour()[*state.tour].page);
+        go_on_tour(state);
+    }
+    CHECK(parts.size() == 7);
+    CHECK(state.space_shown);  // one of its stops
+    begin_tour(state);
+    go_back_on_tour(state);
+    CHECK(state.tour == 0u);
+    go_on_tour(state);
+    go_on_tour(state);
+    go_back_on_tour(state);
+    CHECK(state.tour == 1u);
+    obey({Key::escape, 0, false, false}, state, {});
+    CHECK_FALSE(state.tour);
+}
+
+TEST_CASE("what the mouse does, keys do: pin, look from elsewhere, change pages and the window's parts") {
+    const Folder folder;
+    write(folder / "s.toml", small);
+    ViewerState state = opened(folder / "s.toml");
+    const auto press = [&](Key key, bool control = false, bool shift = false) {
+        obey({key, 0, control, shift}, state, {});
+    };
+    // 20 × 10 pixels at 30 screen pixels each; the middle of the area, (300, 150), lies on pixel (10, 5).
+    state.area = {600, 300};
+    state.view = {30, {0, 0}};
+    press(Key::enter);
+    CHECK(state.pinned == Pixel{10, 5});
+    press(Key::enter, false, true);
+    press(Key::left);
+    CHECK(state.compared == Pixel{10, 5});
+    CHECK(state.pinned == Pixel{9, 5});
+    const Orbit before = state.orbit;
+    press(Key::right, true);
+    CHECK(state.orbit.azimuth == before.azimuth + 10);
+    for (int i = 0; i < 20; ++i) press(Key::up, true);
+    CHECK(state.orbit.elevation == 89);
+    press(Key::home, true);
+    CHECK(state.orbit == Orbit{});
+    obey({Key::character, U'3', true, false}, state, {});
+    CHECK(state.page == Page::overlay);
+    const float side = state.side_width;
+    press(Key::left, true, true);
+    CHECK(state.side_width == doctest::Approx(side + .05));
+    // While keys work buttons, these are Dear ImGui's; F6 and Esc come back.
+    press(Key::f6);
+    CHECK(state.keys_work_buttons);
+    press(Key::left);
+    CHECK(state.pinned == Pixel{9, 5});
+    press(Key::escape);
+    CHECK_FALSE(state.keys_work_buttons);
+    CHECK(state.pinned);
 }

@@ -70,6 +70,22 @@ visit() {
     [ -s "$settings" ] || fail "no settings were written"
 }
 
+# A signal, as Ctrl+C in the terminal sends one, keeps the settings, too.
+interrupt() {
+    XDG_CONFIG_HOME=$folder/interrupted "$glassbox" view "$folder/scene.toml" --size 1024x640 \
+        >"$folder/out" 2>"$folder/err" &
+    viewer=$!
+    wait_until is_there || fail "no window came: $(cat "$folder/err")"
+    press ctrl plus
+    sleep .5
+    kill -TERM "$viewer"  # a shell lets what it starts in the background ignore SIGINT
+    wait_until has_ended || { kill -KILL "$viewer"; fail "SIGTERM did not end it"; }
+    local status=0
+    wait "$viewer" || status=$?
+    [ "$status" = 130 ] || fail "SIGTERM: it ended with status $status: $(cat "$folder/err")"
+    [ -s "$folder/interrupted/glassbox/viewer.json" ] || fail "SIGTERM: no settings were written"
+}
+
 in_window() {
     # A busy machine may draw no frame between a press and its release: then once more, slower.
     for pause in .04 .2 .5; do
@@ -113,3 +129,4 @@ for tool in Xvfb xdotool; do
 done
 start_display
 in_window
+interrupt

@@ -17,6 +17,7 @@ enum class Key {
     end,
     page_up,
     page_down,
+    f6,
 };
 
 /// A key that went down, or is held and repeats.

@@ -78,6 +78,7 @@ constexpr std::pair<int, Key> named_keys[] = {
     {GLFW_KEY_DOWN, Key::down},      {GLFW_KEY_ESCAPE, Key::escape},   {GLFW_KEY_ENTER, Key::enter},
     {GLFW_KEY_KP_ENTER, Key::enter}, {GLFW_KEY_SPACE, Key::space},     {GLFW_KEY_HOME, Key::home},
     {GLFW_KEY_END, Key::end},        {GLFW_KEY_PAGE_UP, Key::page_up}, {GLFW_KEY_PAGE_DOWN, Key::page_down},
+    {GLFW_KEY_F6, Key::f6},
 };
 
 std::optional<Key> named_key(int key) {
@@ -88,12 +89,16 @@ std::optional<Key> named_key(int key) {
 
 char32_t in_lower_case(char32_t c) { return c >= U'A' && c <= U'Z' ? c + (U'a' - U'A') : c; }
 
-/// Returns what a key types in the user's layout; in one without Latin letters, what it types in the American layout,
-/// so that Ctrl+Z works there, too. 0 for a key that types nothing.
+/// What a key types in the user's layout, if that is one of the characters of ASCII; otherwise 0.
 char32_t typed_by(int key, int scancode) {
     const char* name = glfwGetKeyName(key, scancode);
-    const bool latin = name != nullptr && static_cast<unsigned char>(name[0]) < 0x80 && name[1] == '\0';
-    if (latin) return in_lower_case(static_cast<unsigned char>(name[0]));
+    const bool is_ascii = name != nullptr && static_cast<unsigned char>(name[0]) < 0x80 && name[1] == '\0';
+    return is_ascii ? in_lower_case(static_cast<unsigned char>(name[0])) : 0;
+}
+
+/// What the key at this place types on an American keyboard, so that d turns the view and Ctrl+Z undoes in Cyrillic and
+/// Greek layouts, too. 0 for a key that types nothing.
+char32_t typed_at_place_of(int key) {
     return key > GLFW_KEY_SPACE && key < 0x80 ? in_lower_case(static_cast<char32_t>(key)) : 0;
 }
 
@@ -107,6 +112,7 @@ struct Window::Platform {
 
     std::vector<KeyPress> keys;  // since the last frame
     int modifiers = 0;           // of the key pressed last, whose character comes next
+    bool is_by_place = false;    // that key is the last of `keys`, named after its place
     bool stirred = true;         // something happened since the last frame
     double start = 0;
 
@@ -148,15 +154,20 @@ struct Window::Platform {
     void on_key(int key, int scancode, int action, int mods) {
         stirred = true;
         modifiers = mods;
+        is_by_place = false;
         if (action == GLFW_RELEASE) return;
         if (const auto named = named_key(key)) keys.push_back({*named, 0, control(), shift()});
-        else if (const char32_t typed = control() ? typed_by(key, scancode) : 0; typed != 0)
-            keys.push_back({Key::character, typed, true, shift()});
+        else if (const char32_t typed = typed_by(key, scancode); typed == 0 && typed_at_place_of(key) != 0) {
+            keys.push_back({Key::character, typed_at_place_of(key), control(), shift()});
+            is_by_place = true;
+        } else if (typed != 0 && control()) keys.push_back({Key::character, typed, true, shift()});
     }
 
     void on_character(unsigned character) {
         stirred = true;
-        if (character != ' ' && !control()) keys.push_back({Key::character, in_lower_case(character), false, shift()});
+        if (character <= ' ' || character >= 0x80 || control()) return;
+        if (std::exchange(is_by_place, false)) keys.pop_back();  // é on a French keyboard, which types 2 with Shift
+        keys.push_back({Key::character, in_lower_case(character), false, shift()});
     }
 
     bool closing() const { return glfwWindowShouldClose(window.get()) == GLFW_TRUE; }

@@ -79,11 +79,11 @@ Command range(const Words& words) {
 }
 
 Command zoom(const Words& words) {
-    if (words[1] == "fit") return change([](ViewerState& state) { state.fit = true; });
+    if (words[1] == "fit") return change([](ViewerState& state) { state.fit = Fit::as_fits; });
     const double to = number("zoom", words[1], least_zoom, greatest_zoom);
     const std::optional<Pixel> about = words.size() > 2 ? pixel_or_none("zoom", words[2]) : std::nullopt;
     return change([to, about](ViewerState& state) {
-        state.fit = false;
+        state.fit = Fit::none;
         state.view = zoomed_to(state.view, to, state.area);
         const std::optional<Pixel> middle = about ? about : state.pinned;
         if (!middle) return;
@@ -183,10 +183,7 @@ const Syntax all_commands[] = {
     {"range", "range LOW HIGH | auto", 1, 2, range},
     {"beside", "beside nothing | overlay | other | difference | mine | mine-difference", 1, 1,
      [](const Words& w) {
-         return change([what = chosen("beside", w[1], besides)](ViewerState& state) {
-             state.beside = what;
-             if (shows_mine(state)) show_last_mine(state);
-         });
+         return change([what = chosen("beside", w[1], besides)](ViewerState& state) { show_beside(state, what); });
      }},
     {"stage", "stage 1..5", 1, 1,
      [](const Words& w) {

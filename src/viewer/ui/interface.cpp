@@ -9,6 +9,9 @@
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/work/watching.hpp"
+#include "viewer/ui/frame/places.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
+#include "viewer/ui/widgets/keyboard.hpp"
 
 namespace glassbox {
 
@@ -47,21 +50,20 @@ constexpr PageTab pages[] = {
 };
 
 void draw_pages(const Frame& frame) {
-    if (!ImGui::BeginTabBar("pages")) return;
     static_assert(std::size(pages) == 5);
-    const Page wanted = frame.state.page;
-    const bool is_shown = frame.state.page_shown == wanted;
+    // Dear ImGui's own tab bar cuts titles that do not fit into one line.
     for (const PageTab& tab : pages) {
-        // Bring a page chosen by a key or a script to the front; a click on a tab does so itself.
-        const bool bring = wanted == tab.page && !is_shown;
-        if (!ImGui::BeginTabItem(tab.title, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0)) continue;
-        if (is_shown || bring) frame.state.page = frame.state.page_shown = tab.page;
-        ImGui::BeginChild(tab.title);
+        if (&tab != pages) flow(tab.title, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (toggle(tab.title, frame.state.page == tab.page)) frame.state.page = tab.page;
+    }
+    ImGui::Separator();
+    for (const PageTab& tab : pages) {
+        if (frame.state.page != tab.page) continue;
+        begin_part(tab.title, {0, 0});
+        if (frame.state.keys_work_buttons) take_keyboard();
         tab.draw(frame);
         ImGui::EndChild();
-        ImGui::EndTabItem();
     }
-    ImGui::EndTabBar();
 }
 
 }  // namespace
@@ -70,6 +72,7 @@ Interface::Interface(ViewerState state, float scale, const std::function<void()>
     : state_(std::move(state)), scale_(scale), wake_(wake), background_(wake) {}
 
 void Interface::prepare() {
+    let_keyboard_work(state_.keys_work_buttons);
     const float text_size = state_.appearance.text_size * scale_;
     if (text_size == loaded_text_size_ && state_.appearance.dark == loaded_dark_) return;
     if (text_size != loaded_text_size_) fonts_ = load_fonts(text_size);
@@ -79,8 +82,8 @@ void Interface::prepare() {
 }
 
 double Interface::draw(const Input& input) {
-    if (!ImGui::GetIO().WantTextInput)
-        for (const KeyPress& press : input.keys) obey(press, state_, results_);
+    for (const KeyPress& press : input.keys)
+        if (!ImGui::GetIO().WantTextInput || is_obeyed_while_typing(press)) obey(press, state_, results_);
     watch_files();
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
@@ -104,7 +107,9 @@ void Interface::watch_files() {
         if (!watch || watch->files() != files) watch = std::make_unique<FileWatch>(files, gone, wake_);
         return watch->has_changed();
     };
-    if (changed(scene_watch_, {state_.file}, FileWatch::Gone::is_no_change)) reload(state_);
+    const bool scene_changed = changed(scene_watch_, {state_.file}, FileWatch::Gone::is_no_change);
+    const bool mesh_changed = changed(mesh_watch_, mesh_files(*state_.scene), FileWatch::Gone::is_a_change);
+    if (scene_changed || mesh_changed) reload(state_);
     if (!shows_mine(state_)) mine_watch_.reset();
     else if (changed(mine_watch_, files_of(state_.mine), FileWatch::Gone::is_a_change)) ++state_.mine.saved;
 }
@@ -115,10 +120,17 @@ void Interface::lay_out(const Frame& frame) {
     ImGui::SetNextWindowSize(viewport->WorkSize);
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
+                                       ImGuiWindowFlags_NoBackground;
     ImGui::Begin("Glassbox", nullptr, flags);
     if (!ImGui::IsAnyItemActive()) state_.setup.end_drag();
+    Places places{};
+    const auto from_here = [](ImVec2 size) {
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        return Area{from, {from.x + size.x, from.y + size.y}};
+    };
+    places.toolbar = from_here({ImGui::GetContentRegionAvail().x, 0});
     draw_toolbar(frame);
+    places.toolbar.to.y = ImGui::GetItemRectMax().y;
 
     const ImGuiStyle& style = ImGui::GetStyle();
     const float bar = std::floor(ImGui::GetFontSize() * .4f);
@@ -130,14 +142,17 @@ void Interface::lay_out(const Frame& frame) {
     const float left = body.x - right - bar;
     const float space = state_.space_shown ? std::clamp(state_.space_height, .1f, .8f) * body.y : 0;
     ImGui::BeginGroup();
-    ImGui::BeginChild("picture", {left, body.y - space - (state_.space_shown ? bar : 0)}, false,
-                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    constexpr ImGuiWindowFlags drawn =
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
+    const ImVec2 picture{left, body.y - space - (state_.space_shown ? bar : 0)};
+    places.picture = from_here(picture);
+    ImGui::BeginChild("picture", picture, false, drawn);
     draw_picture(frame);
     ImGui::EndChild();
     if (state_.space_shown) {
         state_.space_height -= divider("##space", {left, bar}, false) / body.y;
-        ImGui::BeginChild("space", {left, space}, false,
-                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+        places.space = from_here({left, space});
+        ImGui::BeginChild("space", {left, space}, false, drawn);
         draw_space(frame);
         ImGui::EndChild();
     }
@@ -146,7 +161,9 @@ void Interface::lay_out(const Frame& frame) {
     state_.side_width -= divider("##side", {bar, body.y}, true) / body.x;
     ImGui::SameLine();
     ImGui::PopStyleVar();
-    ImGui::BeginChild("side", {right, body.y});
+    places.page = from_here({right, body.y});
+    places.truth = places.page;
+    begin_part("side", {right, body.y});
     draw_pages(frame);
     ImGui::EndChild();
 
@@ -154,6 +171,7 @@ void Interface::lay_out(const Frame& frame) {
     ImGui::End();
     draw_scene_menu(frame);
     draw_keys(frame);
+    draw_tour(frame, places);
 }
 
 }  // namespace glassbox

@@ -47,7 +47,7 @@ private:
     double last_time_ = 0;
     std::function<void()> wake_;
     // Last: their threads end first.
-    std::unique_ptr<FileWatch> scene_watch_, mine_watch_;
+    std::unique_ptr<FileWatch> scene_watch_, mesh_watch_, mine_watch_;
     Background background_;
 };
 

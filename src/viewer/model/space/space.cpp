@@ -12,6 +12,7 @@
 #include "explain/words.hpp"
 #include "output/legend_number.hpp"
 #include "render/view.hpp"
+#include "viewer/model/space/coarser.hpp"
 
 namespace glassbox {
 
@@ -327,12 +328,19 @@ SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t mos
         result.shown.spheres.push_back(all.spheres[i]);
         result.numbers.push_back(i);
     }
-    const std::size_t step =
-        all.triangles.size() <= most_triangles ? 1 : every(all.triangles.size(), std::min(sample, most_triangles));
-    for (std::size_t i = 0; i < all.triangles.size(); i += step) {
-        result.shown.triangles.push_back(all.triangles[i]);
-        result.numbers.push_back(all.spheres.size() + i);
+    const auto add = [&](const Triangle<double>& triangle, std::size_t number) {
+        result.shown.triangles.push_back(triangle);
+        result.numbers.push_back(all.spheres.size() + number);
+    };
+    std::size_t step = 1;
+    if (all.triangles.size() > most_triangles) {
+        const std::vector<CoarserTriangle> coarse = coarser(all.triangles, most_triangles);
+        result.coarser = coarse.size() >= std::min(sample, most_triangles) / 2;
+        if (result.coarser)
+            for (const auto& [triangle, number] : coarse) add(triangle, number);
+        else step = every(all.triangles.size(), std::min(sample, most_triangles));
     }
+    for (std::size_t i = 0; !result.coarser && i < all.triangles.size(); i += step) add(all.triangles[i], i);
     for (const std::size_t number : result.numbers) result.colors.push_back(colors[number]);
     if (step > 1)
         for (const Mesh& mesh : scene.meshes) {
@@ -401,7 +409,8 @@ SeenInSpace seen_at(const Camera& camera, Point screen, const SurfacesInSpace& s
             return seen;
         }
     }
-    if (best) seen.surface = surfaces.numbers[best->surface];
+    if (best && (!surfaces.coarser || best->surface < surfaces.shown.spheres.size()))
+        seen.surface = surfaces.numbers[best->surface];
     return seen;
 }
 

@@ -18,14 +18,15 @@ namespace glassbox {
 /// The meanings of colours in space.
 enum class Ink { plain, faint, pinned, second, light, half_vector, a, b, c };
 
-/// The surfaces that are drawn: all, or a sample of very many.
+/// The surfaces that are drawn: all, or of very many triangles fewer and larger ones, or a sample.
 struct SurfacesInSpace {
     Surfaces<double> shown;
     std::vector<std::size_t> numbers;                ///< in the scene, of those shown: spheres, then triangles
     std::vector<Rgb> colors;                         ///< likewise
     std::vector<std::array<Vec3<double>, 2>> boxes;  ///< least and greatest corner of what is drawn only in part
     std::size_t all_spheres = 0, all_triangles = 0;  ///< how many there are
-    std::size_t far = 0;                             ///< how many lie beyond the ball of sight
+    bool coarser = false;  ///< the triangles are fewer and larger than the scene's, their numbers those of one of many
+    std::size_t far = 0;   ///< how many lie beyond the ball of sight
 
     /// A part of a triangle, small enough to be sorted by the depth of its middle.
     struct Part {
@@ -91,8 +92,8 @@ struct SpaceDrawing {
     std::vector<LabelInSpace> labels;
 };
 
-/// Returns the surfaces of a stage: at most `most_spheres`; all triangles, or of more than `most_triangles` about
-/// `sample`.
+/// Returns the surfaces of a stage: at most `most_spheres`; all triangles, or of more than `most_triangles` so many
+/// coarser ones; where these would leave nothing of the shape, about `sample` of them.
 SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres = 400,
                                   std::size_t most_triangles = 3000, std::size_t sample = 1000);
 

@@ -1,9 +1,12 @@
 #include "viewer/model/state/keys.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/model/space/boxes_in_space.hpp"
+#include "viewer/model/space/camera.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
 
 namespace glassbox {
@@ -14,7 +17,7 @@ using State = ViewerState;
 
 constexpr KeyPress character(char32_t c) { return {Key::character, c, false, false}; }
 constexpr KeyPress control(char32_t c, bool shift = false) { return {Key::character, c, true, shift}; }
-constexpr KeyPress named(Key key) { return {key, 0, false, false}; }
+constexpr KeyPress named(Key key, bool control = false, bool shift = false) { return {key, 0, control, shift}; }
 
 /// As in the paper's program, with its directions corrected: counter-clockwise as seen from the axis's tip.
 template <Axis axis, int degrees>
@@ -35,20 +38,36 @@ void move_pin(State& state, const Results&, const KeyPress& press) {
     const auto [x, y] = *state.pinned;
     pin(state,
         Pixel{std::clamp(x + by * dx, 0, state.scene->width - 1), std::clamp(y + by * dy, 0, state.scene->height - 1)});
-    if (!state.fit) state.view = showing(state.view, *state.pinned, state.area);
+    if (state.fit == Fit::none) state.view = showing(state.view, *state.pinned, state.area);
+}
+
+/// Pins the pixel in the middle of what is seen; where one is pinned, with Shift, it is the second one, too, from which
+/// the arrow keys then move away.
+void pin_by_key(State& state, const Results&, const KeyPress& press) {
+    if (state.pinned) {
+        if (press.shift) state.compared = state.pinned;
+        return;
+    }
+    const Pixel middle = state.view.pixel_at({state.area.x / 2, state.area.y / 2});
+    pin(state,
+        Pixel{std::clamp(middle.x, 0, state.scene->width - 1), std::clamp(middle.y, 0, state.scene->height - 1)});
 }
 
 void unpin(State& state, const Results&, const KeyPress&) {
-    if (state.keys_shown) state.keys_shown = false;
+    if (state.keys_work_buttons) state.keys_work_buttons = false;
+    else if (state.tour) leave_tour(state);
+    else if (state.keys_shown) state.keys_shown = false;
     else if (state.scene_menu.shown) state.scene_menu.shown = false;
     else if (state.compared) state.compared.reset();
     else state.pinned.reset();
 }
 
-void fit(State& state, const Results&, const KeyPress&) { state.fit = true; }
+void fit(State& state, const Results&, const KeyPress& press) {
+    state.fit = press.shift ? Fit::whole_multiple : Fit::as_fits;
+}
 
 void zoom(State& state, double to) {
-    state.fit = false;
+    state.fit = Fit::none;
     state.view = zoomed_to(state.view, to, state.area);
 }
 
@@ -97,6 +116,44 @@ void change_boxes(State& state, const Results& results, const KeyPress& press) {
     else go_deeper(state, results);
 }
 
+constexpr double orbit_step = 10;  // degrees
+
+template <int azimuth, int elevation>
+void look_from(State& state, const Results&, const KeyPress&) {
+    state.orbit.azimuth = std::remainder(state.orbit.azimuth + azimuth * orbit_step, 360);
+    state.orbit.elevation =
+        std::clamp(state.orbit.elevation + elevation * orbit_step, -greatest_elevation, greatest_elevation);
+}
+
+template <int notches>
+void come_closer(State& state, const Results&, const KeyPress&) {
+    state.orbit = closer(state.orbit, std::pow(1.15, -notches));
+}
+
+/// Moves the bars between the window's parts, by steps that are a part of the window.
+template <int side, int space>
+void resize_parts(State& state, const Results&, const KeyPress&) {
+    constexpr float bar_step = .05f;
+    state.side_width = std::clamp(state.side_width + bar_step * static_cast<float>(side), .1f, .75f);
+    state.space_height = std::clamp(state.space_height + bar_step * static_cast<float>(space), .1f, .8f);
+}
+
+template <Page page>
+void show_page(State& state, const Results&, const KeyPress&) {
+    state.page = page;
+}
+
+bool is_split(const State& state, const Results&) { return state.beside != Beside::nothing; }
+
+void move_split(State& state, const Results&, const KeyPress& press) {
+    state.split = std::clamp(state.split + (press.shift ? -.05 : .05), 0.0, 1.0);
+}
+
+/// Whether Dear ImGui takes this key to move from button to button, or to press one.
+bool is_for_buttons(const KeyPress& press) {
+    return !press.control && press.key != Key::character && press.key != Key::escape && press.key != Key::f6;
+}
+
 void change_text_size(State& state, float by) {
     float& size = state.appearance.text_size;
     size = std::clamp(size + by, least_text_size, greatest_text_size);
@@ -105,7 +162,7 @@ void change_text_size(State& state, float by) {
 constexpr KeyBinding bindings[] = {
     {character('m'), "m", "show your own code's picture beside ours, or hide it", "Picture",
      [](State& s, const Results&, const KeyPress&) { toggle_mine(s); }},
-    {character('f'), "F", "fit the whole picture", "Picture", fit},
+    {character('f'), "F", "fit the whole picture (with Shift: one to one, or by a whole number)", "Picture", fit},
     {character('1'), "1", "one to one", "Picture", [](State& s, const Results&, const KeyPress&) { zoom(s, 1); }},
     {character('+'), "+", "zoom in", "Picture",
      [](State& s, const Results&, const KeyPress&) { zoom(s, s.view.zoom * 2); }},
@@ -115,6 +172,10 @@ constexpr KeyBinding bindings[] = {
     {named(Key::right), "→", "", "Picture", move_pin<1, 0>},
     {named(Key::up), "↑", "", "Picture", move_pin<0, -1>},
     {named(Key::down), "↓", "", "Picture", move_pin<0, 1>},
+    {character('x'), "x", "move the bar between the two pictures to the right (with Shift to the left)", "Picture",
+     move_split, is_split},
+    {named(Key::enter), "Enter", "pin the pixel in the middle (with Shift: keep this pin as the second one)", "Picture",
+     pin_by_key},
     {named(Key::escape), "Esc", "take away the second pin, then the first", "Picture", unpin},
 
     {character('d'), "d", "turn the view 10° counter-clockwise about z", "View", turn<Axis::z, 10>},
@@ -125,6 +186,14 @@ constexpr KeyBinding bindings[] = {
 
     {character('b'), "b", "draw the engine's boxes in space, then a level deeper (with Shift: a level back)", "Space",
      change_boxes},
+    {named(Key::left, true), "Ctrl+←", "look at the scene in space from elsewhere", "Space", look_from<-1, 0>},
+    {named(Key::right, true), "Ctrl+→", "", "Space", look_from<1, 0>},
+    {named(Key::up, true), "Ctrl+↑", "", "Space", look_from<0, 1>},
+    {named(Key::down, true), "Ctrl+↓", "", "Space", look_from<0, -1>},
+    {named(Key::page_up, true), "Ctrl+PgUp", "come closer", "Space", come_closer<1>},
+    {named(Key::page_down, true), "Ctrl+PgDn", "go farther away", "Space", come_closer<-1>},
+    {named(Key::home, true), "Ctrl+Home", "look at it as at first", "Space",
+     [](State& s, const Results&, const KeyPress&) { s.orbit = Orbit{}; }},
 
     {named(Key::space), "Space", "play the pinned pixel's steps, or pause", "Steps", play},
     {character(']'), "]", "a step forward", "Steps", step<StepTo::forward>},
@@ -157,6 +226,19 @@ constexpr KeyBinding bindings[] = {
      [](State& s, const Results&, const KeyPress&) { change_text_size(s, 2); }},
     {control('-'), "Ctrl −", "smaller text", "Everything",
      [](State& s, const Results&, const KeyPress&) { change_text_size(s, -2); }},
+    {control('1'), "Ctrl+1", "the page Inspector; the next ones are Steps, Overlay, Controls, Mine", "Everything",
+     show_page<Page::inspector>},
+    {control('2'), "Ctrl+2", "", "Everything", show_page<Page::steps>},
+    {control('3'), "Ctrl+3", "", "Everything", show_page<Page::overlay>},
+    {control('4'), "Ctrl+4", "", "Everything", show_page<Page::controls>},
+    {control('5'), "Ctrl+5", "", "Everything", show_page<Page::mine>},
+    {named(Key::f6), "F6", "let the arrows and the space bar work the buttons, or the picture again", "Everything",
+     [](State& s, const Results&, const KeyPress&) { s.keys_work_buttons = !s.keys_work_buttons; }},
+    {named(Key::left, true, true), "Ctrl+Shift+←", "move the bars between the window's parts", "Everything",
+     resize_parts<1, 0>},
+    {named(Key::right, true, true), "Ctrl+Shift+→", "", "Everything", resize_parts<-1, 0>},
+    {named(Key::up, true, true), "Ctrl+Shift+↑", "", "Everything", resize_parts<0, 1>},
+    {named(Key::down, true, true), "Ctrl+Shift+↓", "", "Everything", resize_parts<0, -1>},
     {control('o'), "Ctrl+O", "open another scene", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.scene_menu.shown = !s.scene_menu.shown; }},
     {control('q'), "Ctrl+Q", "close the window", "Everything",
@@ -183,11 +265,16 @@ KeyPress without_layout(const KeyPress& press) {
 std::span<const KeyBinding> key_bindings() { return bindings; }
 
 void obey(const KeyPress& press, ViewerState& state, const Results& results) {
+    if (state.keys_work_buttons && is_for_buttons(press)) return;
     const KeyPress meant = without_layout(press);
     for (const bool sometimes : {true, false})
         for (const KeyBinding& binding : bindings)
             if (is_meant(binding, meant) && (sometimes ? binding.when && binding.when(state, results) : !binding.when))
                 return binding.act(state, results, press);
+}
+
+bool is_obeyed_while_typing(const KeyPress& press) {
+    return press.key == Key::f6 || press == control('o') || press == control('q');
 }
 
 }  // namespace glassbox

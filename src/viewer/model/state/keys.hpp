@@ -21,7 +21,11 @@ struct KeyBinding {
 
 std::span<const KeyBinding> key_bindings();
 
-/// Does what the key means, if it means anything.
+/// Does what the key means, if it means anything. While the keyboard works buttons, keys that move from one to the next
+/// or press it mean nothing here.
 void obey(const KeyPress& press, ViewerState& state, const Results& results);
+
+/// Whether the key means the same while a text is typed.
+bool is_obeyed_while_typing(const KeyPress& press);
 
 }  // namespace glassbox

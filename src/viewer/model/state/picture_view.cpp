@@ -12,9 +12,27 @@ Pixel PictureView::pixel_at(Point screen) const {
     return {whole(p.x), whole(p.y)};
 }
 
-PictureView fitted(Point area, int width, int height) {
-    const double zoom = std::clamp(std::min(area.x / width, area.y / height), least_zoom, greatest_zoom);
+namespace {
+
+double greatest_that_fits(Point area, int width, int height) {
+    return std::clamp(std::min(area.x / width, area.y / height), least_zoom, greatest_zoom);
+}
+
+PictureView centred(double zoom, Point area, int width, int height) {
     return {zoom, {(area.x - width * zoom) / 2, (area.y - height * zoom) / 2}};
+}
+
+}  // namespace
+
+PictureView fitted(Point area, int width, int height) {
+    return centred(greatest_that_fits(area, width, height), area, width, height);
+}
+
+PictureView fitted_by_whole_multiple(Point area, int width, int height) {
+    const double fits = greatest_that_fits(area, width, height);
+    if (fits < 1) return fitted(area, width, height);
+    const PictureView view = centred(std::floor(fits), area, width, height);
+    return {view.zoom, {std::round(view.origin.x), std::round(view.origin.y)}};
 }
 
 PictureView zoomed_to(const PictureView& view, double zoom, Point area) {

@@ -25,6 +25,10 @@ inline constexpr double least_zoom = 1.0 / 64, greatest_zoom = 512;
 /// The whole picture, centred, as large as fits.
 PictureView fitted(Point area, int width, int height);
 
+/// The same at a zoom of 1, 2, 3 …, so that all pixels look equally large; one that is too large for that, as large as
+/// fits.
+PictureView fitted_by_whole_multiple(Point area, int width, int height);
+
 /// One to one, or at any zoom, about the middle of the area.
 PictureView zoomed_to(const PictureView& view, double zoom, Point area);
 

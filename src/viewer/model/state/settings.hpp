@@ -8,7 +8,7 @@ namespace glassbox {
 /// What the viewer remembers from one run to the next.
 struct Settings {
     Appearance appearance;
-    float side_width = 0.4f, space_height = 0.35f;
+    float side_width = 0.4f, space_height = 0.28f;
     bool space_shown = true;
     int window_width = 1280, window_height = 800;
 

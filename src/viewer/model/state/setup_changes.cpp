@@ -25,6 +25,17 @@ Setup turned(Setup setup, Axis axis, double degrees) {
     return setup;
 }
 
+double last_turn(const Setup& setup, Axis axis) {
+    const std::vector<Turn<double>>& turns = setup.options.turns;
+    return turns.empty() || turns.back().axis != axis ? 0 : turns.back().degrees;
+}
+
+Setup with_last_turn(Setup setup, Axis axis, double degrees) {
+    std::vector<Turn<double>>& turns = setup.options.turns;
+    if (!turns.empty() && turns.back().axis == axis) turns.pop_back();
+    return degrees == 0 ? setup : turned(std::move(setup), axis, degrees);
+}
+
 std::string turns_in_words(std::span<const Turn<double>> turns) {
     std::string text;
     for (std::size_t i = 0, next = 0; i < turns.size(); i = next) {

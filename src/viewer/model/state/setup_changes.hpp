@@ -25,6 +25,12 @@ Setup with_figure(Setup setup, const Figure& figure);
 /// The same setup, turned further.
 Setup turned(Setup setup, Axis axis, double degrees);
 
+/// The angle of the last turn, in degrees; 0 if that is about another axis, or there is none.
+double last_turn(const Setup& setup, Axis axis);
+
+/// Turns by this angle instead of the last one's, if that is about this axis; otherwise once more. By 0 degrees: not.
+Setup with_last_turn(Setup setup, Axis axis, double degrees);
+
 /// The turns in words, equal neighbours counted: "z 10° × 36, y −20°"; "none".
 std::string turns_in_words(std::span<const Turn<double>> turns);
 

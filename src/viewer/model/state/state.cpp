@@ -47,11 +47,19 @@ void pin(ViewerState& state, const std::optional<Pixel>& pixel) {
     state.playing = false;
 }
 
+std::vector<std::filesystem::path> mesh_files(const Scene& scene) {
+    std::vector<std::filesystem::path> files;
+    for (const Shared<Mesh>& mesh : scene.meshes)
+        if (!mesh->file.empty() && std::find(files.begin(), files.end(), mesh->file) == files.end())
+            files.emplace_back(mesh->file);
+    return files;
+}
+
 void reload(ViewerState& state) {
     try {
         auto scene = std::make_shared<const Scene>(read_scene(state.file));
         state.setup.replace_all([&](const Setup& setup) { return followed(setup, *state.scene, *scene); });
-        if (scene->width != state.scene->width || scene->height != state.scene->height) state.fit = true;
+        if (scene->width != state.scene->width || scene->height != state.scene->height) state.fit = Fit::whole_multiple;
         state.scene = std::move(scene);
         state.pinned = if_on(*state.scene, state.pinned);
         state.compared = if_on(*state.scene, state.compared);
@@ -79,7 +87,10 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.other = state.other;
         fresh.predicting = state.predicting;
         fresh.mine = state.mine;
-        if (fresh.mine.chosen && shows_mine(fresh)) fresh.setup = History(for_mine(fresh.setup.now(), fresh.mine));
+        if (fresh.mine.chosen && shows_mine(fresh)) {
+            fresh.mine.before = fresh.setup.now().options;
+            fresh.setup = History(for_mine(fresh.setup.now(), fresh.mine));
+        }
         state = std::move(fresh);
     } catch (const Error& error) {
         state.file_error = error.what();

@@ -41,6 +41,14 @@ enum class Beside {
     mine_difference,  ///< where that picture differs from this
 };
 
+/// How the picture follows the size of the place where it is shown.
+enum class Fit {
+    none,            ///< zoom and place are the user's
+    whole_multiple,  ///< the same, but one to one or by a whole number where there is room: all pixels look equally
+                     ///< large
+    as_fits,         ///< centred, as large as fits
+};
+
 /// How the interface looks.
 struct Appearance {
     bool dark = true;
@@ -102,8 +110,8 @@ struct ViewerState {
     History<Setup> setup;
 
     PictureView view;
-    Point area;       ///< the size of the place where the picture is shown, as last drawn
-    bool fit = true;  ///< the picture is kept as large as fits
+    Point area;  ///< the size of the place where the picture is shown, as last drawn
+    Fit fit = Fit::whole_multiple;
     std::optional<Pixel> hovered, pinned, compared;
 
     Overlay overlay;
@@ -122,15 +130,16 @@ struct ViewerState {
     Watching watching;
 
     Page page = Page::inspector;
-    Page page_shown = Page::inspector;  ///< the one that was drawn last
-    float side_width = 0.4f;            ///< of the panel on the right, as a part of the window's
+    float side_width = 0.4f;  ///< of the panel on the right, as a part of the window's
     bool space_shown = true;
-    float space_height = 0.35f;  ///< a part of the window's
+    float space_height = 0.28f;  ///< a part of the window's
     Orbit orbit;
     std::optional<int> box_level;                ///< the level of the engine's hierarchy whose boxes are drawn in space
     NumberForm number_form = NumberForm::brief;  ///< of the inspector
+    bool keys_work_buttons = false;              ///< arrows move from button to button, the space bar presses one
     bool keys_shown = false;
-    bool leaving = false;  ///< the window is to be closed
+    std::optional<std::size_t> tour;  ///< the stop where it is
+    bool leaving = false;             ///< the window is to be closed
     SceneMenu scene_menu;
     bool turning = false;        ///< the mouse, dragged over the picture, turns the view
     bool light_refused = false;  ///< what was typed for the light has no direction
@@ -145,6 +154,9 @@ ViewerState opened(const std::filesystem::path& file);
 
 /// Lists the scenes of the menu's folder, with their titles.
 void list_scenes(SceneMenu& menu);
+
+/// Returns the files that the scene's meshes were read from, each once.
+std::vector<std::filesystem::path> mesh_files(const Scene& scene);
 
 /// Reads the file again and keeps the changes that the user made; on an error the last good scene stays, and
 /// `file_error` says why.

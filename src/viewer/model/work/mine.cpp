@@ -59,15 +59,35 @@ MineChoice chosen_mine(MineChoice mine, std::optional<LessonChoice> lessons) {
 void show_mine(ViewerState& state, std::optional<LessonChoice> lessons) {
     state.mine = chosen_mine(std::move(state.mine), lessons);
     if (!shows_mine(state)) state.beside = Beside::mine;
-    if (state.mine.chosen) state.setup.change(for_mine(state.setup.now(), state.mine));
+    if (!state.mine.chosen) return;
+    if (!state.mine.before) state.mine.before = state.setup.now().options;
+    state.setup.change(for_mine(state.setup.now(), state.mine));
 }
 
 void show_last_mine(ViewerState& state) { show_mine(state, state.mine.chosen); }
 
-void toggle_mine(ViewerState& state) {
-    if (shows_mine(state)) state.beside = Beside::nothing;
-    else show_last_mine(state);
+namespace {
+
+void compute_as_before(ViewerState& state) {
+    const std::optional<Options> before = std::exchange(state.mine.before, std::nullopt);
+    Setup setup = state.setup.now();
+    const Options chosen = for_mine(setup, state.mine).options;
+    if (!before || setup.options.scalar != chosen.scalar || setup.options.stage != chosen.stage) return;
+    setup.options.scalar = before->scalar;
+    setup.options.stage = before->stage;
+    state.setup.change(std::move(setup));
 }
+
+}  // namespace
+
+void show_beside(ViewerState& state, Beside beside) {
+    const bool showed_mine = shows_mine(state);
+    state.beside = beside;
+    if (shows_mine(state)) show_last_mine(state);
+    else if (showed_mine) compute_as_before(state);
+}
+
+void toggle_mine(ViewerState& state) { show_beside(state, shows_mine(state) ? Beside::nothing : Beside::mine); }
 
 bool is_of_all(const MineChoice& mine) { return mine.chosen == LessonChoice(AllLessons{}); }
 

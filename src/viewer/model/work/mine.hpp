@@ -14,6 +14,7 @@
 namespace glassbox {
 
 struct ViewerState;
+enum class Beside;
 
 /// All lessons that the learner has finished, at once: all that is written, in any scene.
 struct AllLessons {
@@ -29,6 +30,7 @@ struct MineChoice {
     std::shared_ptr<const learn::Workspace> workspace;  ///< null: not looked for yet, or not there
     std::string problem;                                ///< why it is not there
     std::optional<LessonChoice> chosen;                 ///< none until `workspace` is there
+    std::optional<Options> before;                      ///< what ours was computed by until it was shown
     std::uint64_t saved = 0;                            ///< how often one of the headers has changed since we watch
     bool is_tested = false;                             ///< tests run at each save: the page Mine was opened
     std::string test;                                   ///< the one that is chosen there
@@ -48,11 +50,16 @@ std::optional<LessonChoice> read_lesson_choice(const std::string& typed);
 MineChoice chosen_mine(MineChoice mine, std::optional<LessonChoice> lessons);
 
 /// Shows the learner's picture beside ours, of that lesson, of all, or of the one where the learner is. From then on
-/// both are computed in double, so that they differ by the code alone, and at the lesson's stage; undo reverts that.
+/// both are computed in double, so that they differ by the code alone, and at the lesson's stage; undo reverts that,
+/// and so does showing something else beside ours.
 void show_mine(ViewerState& state, std::optional<LessonChoice> lessons = {});
 
 /// Shows it for what was shown last.
 void show_last_mine(ViewerState& state);
+
+/// Shows this beside ours. Where the learner's picture no longer is, ours is computed as it was before that was shown,
+/// unless the user has chosen otherwise since.
+void show_beside(ViewerState& state, Beside beside);
 
 /// Shows it for what was shown last, or, if it is shown, nothing beside ours.
 void toggle_mine(ViewerState& state);

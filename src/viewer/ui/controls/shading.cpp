@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "render/parameters.hpp"
@@ -5,6 +7,7 @@
 #include "viewer/ui/controls/sections.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/edit.hpp"
+#include "viewer/ui/widgets/slider.hpp"
 
 namespace glassbox {
 
@@ -54,20 +57,18 @@ void light_direction(const Frame& frame) {
     // While one angle is dragged, the other two numbers stay as they were when the drag began: no rounding adds up.
     Pointing angles = pointing(now);
     const Pointing kept = pointing(state.setup.before_drag().light_vector), scenes = pointing(own);
-    const auto slider = [&](const char* label, const char* format, double& value, double least, double most,
-                            double scenes_value) {
-        ImGui::SetNextItemWidth(-1);
-        const bool moved = ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format);
+    const auto angle = [&](const char* name, double& value, double most, double scenes_value) {
+        const bool moved = slider(fmt::format("##{}", name).c_str(), name, value, {-most, most, "%.1f°"});
         const bool again = is_double_clicked();
         if (again) value = scenes_value;
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
             ImGui::SetTooltip("The light keeps its distance. Ctrl+click to type; double click: as the scene says");
-        value = std::clamp(value, least, most);
+        value = std::clamp(value, -most, most);
         return moved || again;
     };
-    if (slider("##azimuth", "azimuth %.1f°", angles.azimuth, -180, 180, scenes.azimuth))
+    if (angle("azimuth", angles.azimuth, 180, scenes.azimuth))
         aim(state, vector_of({angles.azimuth, kept.elevation, kept.distance}));
-    if (slider("##elevation", "elevation %.1f°", angles.elevation, -90, 90, scenes.elevation))
+    if (angle("elevation", angles.elevation, 90, scenes.elevation))
         aim(state, vector_of({kept.azimuth, angles.elevation, kept.distance}));
 }
 

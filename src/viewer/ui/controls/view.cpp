@@ -3,6 +3,7 @@
 #include "viewer/ui/controls/sections.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/edit.hpp"
+#include "viewer/ui/widgets/slider.hpp"
 
 namespace glassbox {
 
@@ -44,28 +45,20 @@ void step_buttons(ViewerState& state) {
     tip("as the scene says, without turns");
 }
 
-/// Returns the angle by which the present drag turns about an axis; 0 if it turns about another, or nothing is dragged.
-double dragged_angle(const ViewerState& state, Axis axis) {
-    const auto& turns = state.setup.now().options.turns;
-    const auto& before = state.setup.before_drag().options.turns;
-    return turns.size() == before.size() + 1 && turns.back().axis == axis ? turns.back().degrees : 0;
-}
-
-/// A slider for each axis: each drag is a turn of its own, and returns to 0 when released.
+/// A slider for each axis, with the angle of the last turn if that is about it: it sets this one anew, and those of the
+/// other axes begin a turn.
 void angle_sliders(ViewerState& state) {
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-        const std::string label = fmt::format("##turn{}", static_cast<int>(axis));
-        const std::string format = fmt::format("about {}: %+.1f°", "xyz"[static_cast<int>(axis)]);
-        double degrees = dragged_angle(state, axis);
-        const double least = -180, most = 180;
-        ImGui::SetNextItemWidth(-1);
-        if (ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &degrees, &least, &most, format.c_str()) &&
-            degrees >= -1e6 && degrees <= 1e6) {
-            const Setup& before = state.setup.before_drag();
-            state.setup.drag(degrees == 0 ? Setup(before) : turned(before, axis, degrees));
-        }
+        const char name = "xyz"[static_cast<int>(axis)];
+        double degrees = last_turn(state.setup.now(), axis);
+        if (slider(fmt::format("##turn {}", name).c_str(), fmt::format("about {}", name), degrees,
+                   {-180, 180, "%+.1f°"}) &&
+            degrees >= -1e6 && degrees <= 1e6)
+            state.setup.drag(with_last_turn(state.setup.before_drag(), axis, degrees));
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-            ImGui::SetTooltip("Drag to turn by any angle; Ctrl+click to type degrees");
+            ImGui::SetTooltip(
+                "Drag to turn by any angle; Ctrl+click to type degrees. After a turn about\n"
+                "another axis a new one begins here");
     }
 }
 

@@ -7,6 +7,8 @@ namespace glassbox {
 namespace {
 
 std::string hovered_text(const Frame& frame) {
+    if (frame.state.keys_work_buttons)
+        return "arrows move from button to button, Space presses one, Esc or F6 goes back";
     const Scene& scene = *frame.state.scene;
     if (!frame.state.hovered) return "point at a pixel; click pins it, Shift+click pins another to compare";
     const auto [x, y] = *frame.state.hovered;

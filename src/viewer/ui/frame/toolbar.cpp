@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/model/state/tour.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/edit.hpp"
 
@@ -43,7 +44,7 @@ void draw_toolbar(const Frame& frame) {
     if (button_if(state.setup.can_redo(), "Redo")) state.setup.redo();
     tip("Ctrl+Y");
     flow("Fit");
-    if (toggle("Fit", state.fit)) state.fit = true;
+    if (toggle("Fit", state.fit == Fit::as_fits)) state.fit = Fit::as_fits;
     tip("The whole picture, as large as fits (F)");
     flow("Space");
     if (toggle("Space", state.space_shown)) state.space_shown = !state.space_shown;
@@ -51,15 +52,19 @@ void draw_toolbar(const Frame& frame) {
     flow("Mine");
     if (toggle("Mine", shows_mine(state))) toggle_mine(state);
     tip("Your own code's picture beside ours (m)");
-    flow("Light");
-    if (ImGui::Button(state.appearance.dark ? "Light" : "Dark")) state.appearance.dark = !state.appearance.dark;
-    tip("Dark or light");
+    flow("Theme");
+    if (ImGui::Button("Theme")) state.appearance.dark = !state.appearance.dark;
+    tip(state.appearance.dark ? "The interface dark; a click makes it light"
+                              : "The interface light; a click makes it dark");
     flow("A−");
     if (ImGui::Button("A−")) resize_text(state, -2);
     tip("Smaller text (Ctrl −)");
     flow("A+", ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button("A+")) resize_text(state, 2);
     tip("Larger text, for a projector (Ctrl +)");
+    flow("Tour");
+    if (toggle("Tour", state.tour.has_value())) state.tour ? leave_tour(state) : begin_tour(state);
+    tip("Seven stops: what there is to see");
     flow("?");
     if (toggle("?", state.keys_shown)) state.keys_shown = !state.keys_shown;
     tip("All keys");

@@ -89,15 +89,15 @@ void draw_beside(const Frame& frame) {
     ViewerState& state = frame.state;
     const auto radio = [&](Beside beside, const char* text) {
         if (!ImGui::RadioButton(text, state.beside == beside)) return false;
-        state.beside = beside;
+        show_beside(state, beside);
         return true;
     };
     radio(Beside::nothing, "nothing");
     radio(Beside::overlay, "the overlay");
     const bool chosen = radio(Beside::other, "another scalar or rule");
     const bool chosen_difference = radio(Beside::difference, "their difference");
-    if (radio(Beside::mine, "my code")) show_last_mine(state);
-    if (radio(Beside::mine_difference, "my code's difference from ours")) show_last_mine(state);
+    radio(Beside::mine, "my code");
+    radio(Beside::mine_difference, "my code's difference from ours");
     const bool with_other = state.beside == Beside::other || state.beside == Beside::difference;
     // Make the two differ, so that there is something to see at once.
     if ((chosen || chosen_difference) && computed_alike(state.setup.now().options, state.other))

@@ -207,6 +207,13 @@ void draw_labels(const Canvas& canvas) {
     draw_label(canvas, split, canvas.corner.x + canvas.size.x, right);
 }
 
+/// How the picture lies now that the area may have another size.
+PictureView followed(const PictureView& view, Fit fit, Point area, int width, int height) {
+    if (fit == Fit::as_fits) return fitted(area, width, height);
+    if (fit == Fit::whole_multiple) return fitted_by_whole_multiple(area, width, height);
+    return kept_in_sight(view, area, width, height);
+}
+
 /// Returns the pixel of the scene's picture that the mouse is on.
 std::optional<Pixel> pointed_at(const Canvas& canvas) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -239,7 +246,7 @@ void listen_to_mouse(const Canvas& canvas) {
     const bool hovered = ImGui::IsItemHovered();
     state.hovered = hovered ? pointed_at(canvas) : std::nullopt;
     if (hovered && io.MouseWheel != 0) {
-        state.fit = false;
+        state.fit = Fit::none;
         state.view = zoomed_at(state.view, std::pow(1.25, io.MouseWheel),
                                {io.MousePos.x - canvas.corner.x, io.MousePos.y - canvas.corner.y});
     }
@@ -249,7 +256,7 @@ void listen_to_mouse(const Canvas& canvas) {
     }
     if (ImGui::IsItemActive() && state.turning) turn_by_mouse(canvas);
     if (ImGui::IsItemActive() && !state.turning && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-        state.fit = false;
+        state.fit = Fit::none;
         state.view = moved(state.view, {io.MouseDelta.x, io.MouseDelta.y});
     }
     // A click is a press that did not move.
@@ -271,8 +278,7 @@ void draw_picture(const Frame& frame) {
     const Canvas canvas{frame, *ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size};
     state.area = {size.x, size.y};
     listen_to_mouse(canvas);
-    if (state.fit) state.view = fitted(state.area, scene.width, scene.height);
-    else state.view = kept_in_sight(state.view, state.area, scene.width, scene.height);
+    state.view = followed(state.view, state.fit, state.area, scene.width, scene.height);
 
     const ImVec2 end{canvas.corner.x + size.x, canvas.corner.y + size.y};
     canvas.list.PushClipRect(canvas.corner, end, true);

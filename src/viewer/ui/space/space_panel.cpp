@@ -94,7 +94,9 @@ void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& 
 std::string caption(const SurfacesInSpace& surfaces, bool with_mesh_boxes) {
     std::string text;
     const std::size_t spheres = surfaces.shown.spheres.size(), triangles = surfaces.shown.triangles.size();
-    if (triangles < surfaces.all_triangles)
+    if (surfaces.coarser)
+        text += fmt::format("{} triangles drawn as {} coarser ones. ", surfaces.all_triangles, triangles);
+    else if (triangles < surfaces.all_triangles)
         text += fmt::format("{} of {} triangles drawn{}. ", triangles, surfaces.all_triangles,
                             with_mesh_boxes ? ", and the boxes around their meshes" : "");
     if (spheres < surfaces.all_spheres) text += fmt::format("{} of {} spheres drawn. ", spheres, surfaces.all_spheres);

@@ -7,6 +7,7 @@
 #include "render/parameters.hpp"
 #include "scene/named.hpp"
 #include "viewer/ui/panels.hpp"
+#include "viewer/ui/widgets/slider.hpp"
 
 namespace glassbox {
 
@@ -33,7 +34,7 @@ inline bool is_double_clicked() {
     return ImGui::IsItemActive() && ImGui::GetIO().MouseDown[0] && ImGui::GetIO().MouseClickedLastCount[0] >= 2;
 }
 
-/// A slider with its label on the right, for the number that is that member of the setup. A double click, or the button
+/// A slider for the number that is that member of the setup. A double click, or the button
 /// that appears when it differs, restores the scene's own value. With Ctrl a number can be typed, also beyond the
 /// slider's ends, from 0 on.
 template <class Member>
@@ -44,29 +45,19 @@ void setup_slider(ViewerState& state, const Parameter& parameter, Member member)
     const Setup scenes = setup_of(*state.scene);
     const double own = part(scenes, member);
     double value = now;
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float button = ImGui::GetFrameHeight(), font = ImGui::GetFontSize();
-    const float name = std::min(8 * font, ImGui::GetContentRegionAvail().x * .4f);
-    ImGui::SetNextItemWidth(
-        std::max(3 * font, ImGui::GetContentRegionAvail().x - name - button - 2 * style.ItemInnerSpacing.x));
-    const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &least, &most, format,
-                                           is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const bool moved = slider("##value", parameter.label, value, {least, most, format, is_logarithmic}, button + gap);
     const bool again = is_double_clicked();
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
         ImGui::SetTooltip("Ctrl+click to type a number; double click: as the scene says");
     if (again) value = own;
     if ((moved || again) && value >= 0 && value <= 1e300)
         drag_setup(state, [&](Setup& next) { part(next, member) = value; });
-    ImGui::SameLine(0, style.ItemInnerSpacing.x);
     if (now != own) {
+        ImGui::SameLine(0, gap);
         if (ImGui::Button("↺", {button, 0})) change_setup(state, [&](Setup& next) { part(next, member) = own; });
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("as the scene says: %g", own);
-    } else {
-        ImGui::Dummy({button, button});
     }
-    ImGui::SameLine(0, style.ItemInnerSpacing.x);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(parameter.label);
     ImGui::PopID();
 }
 

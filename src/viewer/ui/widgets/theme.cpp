@@ -1,5 +1,7 @@
 #include "viewer/ui/widgets/theme.hpp"
 
+#include <utility>
+
 namespace glassbox {
 
 namespace {
@@ -7,35 +9,84 @@ namespace {
 // Okabe and Ito's colours, "Color Universal Design" (2008), which people with any colour vision can tell apart; the
 // darker ones of a pair are for light backgrounds.
 constexpr Palette on_dark{
-    .passed = IM_COL32(0, 190, 140, 255),
-    .failed = IM_COL32(240, 110, 40, 255),
+    .passed = IM_COL32(0, 200, 150, 255),
+    .failed = IM_COL32(255, 140, 80, 255),
     .warning = IM_COL32(240, 200, 60, 255),
     .accent = IM_COL32(86, 180, 233, 255),
-    .second = IM_COL32(225, 140, 190, 255),
+    .second = IM_COL32(230, 150, 198, 255),
     .text = IM_COL32(235, 235, 235, 255),
-    .faint_text = IM_COL32(165, 165, 170, 255),
+    .faint_text = IM_COL32(175, 175, 180, 255),
     .canvas = IM_COL32(28, 28, 32, 255),
     .line = IM_COL32(90, 90, 98, 255),
     .a = IM_COL32(86, 180, 233, 255),
     .b = IM_COL32(230, 159, 0, 255),
-    .c = IM_COL32(225, 140, 190, 255),
+    .c = IM_COL32(230, 150, 198, 255),
     .box = IM_COL32(230, 159, 0, 255),
 };
 constexpr Palette on_light{
-    .passed = IM_COL32(0, 120, 90, 255),
-    .failed = IM_COL32(190, 70, 0, 255),
-    .warning = IM_COL32(150, 105, 0, 255),
-    .accent = IM_COL32(0, 100, 170, 255),
-    .second = IM_COL32(170, 60, 130, 255),
+    .passed = IM_COL32(0, 95, 70, 255),
+    .failed = IM_COL32(155, 52, 0, 255),
+    .warning = IM_COL32(115, 80, 0, 255),
+    .accent = IM_COL32(0, 82, 145, 255),
+    .second = IM_COL32(145, 45, 110, 255),
     .text = IM_COL32(20, 20, 22, 255),
-    .faint_text = IM_COL32(95, 95, 100, 255),
+    .faint_text = IM_COL32(80, 80, 85, 255),
     .canvas = IM_COL32(240, 240, 242, 255),
     .line = IM_COL32(140, 140, 148, 255),
-    .a = IM_COL32(0, 100, 170, 255),
-    .b = IM_COL32(165, 105, 0, 255),
-    .c = IM_COL32(170, 60, 130, 255),
-    .box = IM_COL32(165, 105, 0, 255),
+    .a = IM_COL32(0, 82, 145, 255),
+    .b = IM_COL32(120, 76, 0, 255),
+    .c = IM_COL32(145, 45, 110, 255),
+    .box = IM_COL32(120, 76, 0, 255),
 };
+
+/// What text lies on. Each text of the palette keeps a contrast of 4.5 to 1 to all of these but a button's, and plain
+/// text to these, too (WCAG 2.2, 1.4.3).
+struct Grounds {
+    ImU32 popup, frame, frame_hovered, frame_active, row, row_hovered, row_active, button, button_hovered,
+        button_active;
+};
+constexpr Grounds dark_grounds{
+    .popup = IM_COL32(38, 38, 43, 250),
+    .frame = IM_COL32(41, 45, 54, 255),
+    .frame_hovered = IM_COL32(36, 58, 88, 255),
+    .frame_active = IM_COL32(34, 60, 94, 255),
+    .row = IM_COL32(34, 50, 74, 255),
+    .row_hovered = IM_COL32(32, 60, 95, 255),
+    .row_active = IM_COL32(20, 58, 100, 255),
+    .button = IM_COL32(41, 74, 122, 255),
+    .button_hovered = IM_COL32(45, 95, 158, 255),
+    .button_active = IM_COL32(15, 105, 190, 255),
+};
+constexpr Grounds light_grounds{
+    .popup = IM_COL32(255, 255, 255, 250),
+    .frame = IM_COL32(255, 255, 255, 255),
+    .frame_hovered = IM_COL32(208, 222, 240, 255),
+    .frame_active = IM_COL32(200, 216, 238, 255),
+    .row = IM_COL32(212, 224, 240, 255),
+    .row_hovered = IM_COL32(200, 216, 238, 255),
+    .row_active = IM_COL32(196, 214, 238, 255),
+    .button = IM_COL32(190, 206, 228, 255),
+    .button_hovered = IM_COL32(160, 190, 225, 255),
+    .button_active = IM_COL32(120, 170, 230, 255),
+};
+
+void set_grounds(ImGuiStyle& style, const Grounds& grounds) {
+    const std::pair<ImGuiCol, ImU32> colors[] = {
+        {ImGuiCol_PopupBg, grounds.popup},
+        {ImGuiCol_FrameBg, grounds.frame},
+        {ImGuiCol_FrameBgHovered, grounds.frame_hovered},
+        {ImGuiCol_FrameBgActive, grounds.frame_active},
+        {ImGuiCol_Header, grounds.row},
+        {ImGuiCol_HeaderHovered, grounds.row_hovered},
+        {ImGuiCol_HeaderActive, grounds.row_active},
+        {ImGuiCol_Button, grounds.button},
+        {ImGuiCol_ButtonHovered, grounds.button_hovered},
+        {ImGuiCol_ButtonActive, grounds.button_active},
+        {ImGuiCol_TitleBg, grounds.row},
+        {ImGuiCol_TitleBgActive, grounds.row},
+    };
+    for (const auto& [which, color] : colors) style.Colors[which] = ImGui::ColorConvertU32ToFloat4(color);
+}
 
 }  // namespace
 
@@ -48,7 +99,7 @@ Palette apply_theme(const Appearance& appearance, float text_size) {
     style.Colors[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(palette.faint_text);
     style.Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(palette.canvas);
     style.Colors[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
-    style.Colors[ImGuiCol_PopupBg] = appearance.dark ? ImVec4(.15f, .15f, .17f, .98f) : ImVec4(1, 1, 1, .98f);
+    set_grounds(style, appearance.dark ? dark_grounds : light_grounds);
     style.FrameRounding = style.GrabRounding = style.TabRounding = 3;
     style.WindowRounding = 0;
     style.PopupRounding = style.ChildRounding = 4;
