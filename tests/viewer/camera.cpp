@@ -1,4 +1,5 @@
 #include "viewer/model/space/camera.hpp"
+#include "viewer/model/space/flight.hpp"
 
 #include <doctest.h>
 
@@ -254,6 +255,44 @@ TEST_CASE("what is under the mouse is the surface or the picture that is nearest
     // Column 100's middle, row 400's: 500 - 0.5 - 400 from the top.
     check_equal(*picture.on_picture, {100.5, 99.5}, 1e-6);
     CHECK_FALSE(seen_at(front, {0, 0}, surfaces, drawing).surface);
+}
+
+TEST_CASE("at distance 1 the outline fills 0.86 of the pane, in its middle; at the focus all turns about that") {
+    const std::vector<Vec3<double>> outline{{0, -.5, 0}, {0, .5, 0}, {0, 0, -.1}, {0, 0, .2}};
+    const InPane shown{unit_ball, {0, .5, 0}, outline, z_up, {900, 300}};
+    const Camera all = camera_of({0, 0, 1}, shown);
+    Point least{1e9, 1e9}, greatest{-1e9, -1e9};
+    for (const Vec3<double>& point : outline) {
+        const Point at = project(all, point).at;
+        least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+        greatest = {std::max(greatest.x, at.x), std::max(greatest.y, at.y)};
+    }
+    // 1 wide and 0.3 high in a pane of 3 : 1: as wide as 0.86 of it, 774; in the middle, 450 and 150.
+    CHECK(std::max((greatest.x - least.x) / 900, (greatest.y - least.y) / 300) == doctest::Approx(.86));
+    CHECK((least.x + greatest.x) / 2 == doctest::Approx(450));
+    CHECK((least.y + greatest.y) / 2 == doctest::Approx(150));
+    const Camera near = camera_of({0, 0, .1}, shown);
+    check_equal(project(near, {0, .5, 0}).at, {450, 150}, 1e-6);
+    // Shifted by a pane's width to the right.
+    const Orbit shifted = panned({0, 0, .1}, {900, 0}, {900, 300});
+    CHECK(shifted.pan == Point{1, 0});
+    check_equal(project(camera_of(shifted, shown), {0, .5, 0}).at, {1350, 150}, 1e-6);
+}
+
+TEST_CASE("a flight to the hit takes half a second, a flight back, too") {
+    ViewerState state;
+    state.scene = std::make_shared<const Scene>();
+    fly_to_hit_or_back(state);
+    CHECK(flies_back(state));
+    fly_on(state, .04, .25);  // half of the time: half of the way by factors, sqrt(1 · 0.04)
+    CHECK(state.orbit.distance == doctest::Approx(.2));
+    fly_on(state, .04, .3);
+    CHECK(state.orbit.distance == .04);
+    CHECK_FALSE(state.flight);
+    state.orbit.pan = {.5, 0};
+    fly_to_hit_or_back(state);
+    fly_on(state, .04, 1);
+    CHECK(state.orbit == Orbit{});
 }
 
 TEST_CASE("stages know no surfaces, then spheres, then triangles; of many faces a sample is drawn") {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "viewer/model/space/flight.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -94,10 +95,11 @@ double Interface::draw(const Input& input) {
         space_.update(state_, results_);
         boxes_.update(state_, results_);
     }
+    fly_on(state_, space_.drawing().near, seconds);
     lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, seconds});
     // Update again, so that what this frame's clicks request starts at once.
     background_.update(state_, results_);
-    const bool moving = state_.playing || state_.watching.running;
+    const bool moving = state_.playing || state_.watching.running || state_.flight;
     return moving || results_.busy ? 1.0 / 30 : forever;
 }
 

@@ -25,7 +25,7 @@ public:
     const Results& results() const { return results_; }
 
     /// Whether everything that the state shows has been computed and drawn.
-    bool settled() const { return !results_.busy; }
+    bool settled() const { return !results_.busy && !state_.flight; }
 
     /// Call it before each frame, outside of it: reloads fonts if their size has changed.
     void prepare();

@@ -59,8 +59,50 @@ Camera camera(const Orbit& orbit, const Ball& sight, const Upright& upright, Poi
     const double half = radians(field_of_view / 2);
     result.distance = sight.radius / std::sin(half) * orbit.distance;
     result.focal = std::min(area.x, area.y) / 2 / std::tan(half);
-    result.center = {area.x / 2, area.y / 2};
+    result.center = {area.x * (.5 + orbit.pan.x), area.y * (.5 + orbit.pan.y)};
     result.area = area;
+    return result;
+}
+
+namespace {
+
+/// How much larger, and shifted by how much, the points fill the screen but for a margin.
+struct Enlargement {
+    double factor = 1;
+    Point shift;
+};
+
+Enlargement filling(const Camera& camera, std::span<const Vec3<double>> points) {
+    constexpr double used = .86, most = 6;  // of the pane, for words stand beside points; how much larger
+    Point least{1e30, 1e30}, greatest{-1e30, -1e30};
+    for (const Vec3<double>& point : points) {
+        if (!is_finite(point) || !in_front(camera, point)) continue;
+        const Point at = project(camera, point).at;
+        least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+        greatest = {std::max(greatest.x, at.x), std::max(greatest.y, at.y)};
+    }
+    const double width = greatest.x - least.x, height = greatest.y - least.y;
+    if (!(width > 0) || !(height > 0)) return {};
+    const double factor = std::clamp(std::min(used * camera.area.x / width, used * camera.area.y / height), 1.0, most);
+    return {factor,
+            {factor * (camera.center.x - (least.x + greatest.x) / 2),
+             factor * (camera.center.y - (least.y + greatest.y) / 2)}};
+}
+
+}  // namespace
+
+Camera camera_of(const Orbit& orbit, const InPane& shown) {
+    const auto& [sight, focus, outline, upright, area] = shown;
+    const Orbit whole{.azimuth = orbit.azimuth, .elevation = orbit.elevation};
+    const Enlargement enlarged = filling(camera(whole, sight, upright, area), outline);
+    // The nearer, the more in the middle is the focus.
+    const double towards_focus = std::clamp(1.25 * (1 - orbit.distance), 0.0, 1.0);
+    Ball nearer = sight;
+    nearer.center = sight.center + towards_focus * (focus - sight.center);
+    Camera result = camera(orbit, nearer, upright, area);
+    result.focal *= enlarged.factor;
+    result.center.x += (1 - towards_focus) * enlarged.shift.x;
+    result.center.y += (1 - towards_focus) * enlarged.shift.y;
     return result;
 }
 
@@ -110,6 +152,12 @@ Orbit dragged(Orbit orbit, Point by, double text_size) {
     const double degrees = 9 / text_size;  // half a degree a pixel at a text size of 18
     orbit.azimuth = std::remainder(orbit.azimuth - by.x * degrees, 360);
     orbit.elevation = std::clamp(orbit.elevation + by.y * degrees, -greatest_elevation, greatest_elevation);
+    return orbit;
+}
+
+Orbit panned(Orbit orbit, Point by, Point area) {
+    orbit.pan.x = std::clamp(orbit.pan.x + by.x / area.x, -2.0, 2.0);
+    orbit.pan.y = std::clamp(orbit.pan.y + by.y / area.y, -2.0, 2.0);
     return orbit;
 }
 

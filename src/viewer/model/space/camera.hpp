@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <ray.hpp>
@@ -37,6 +38,19 @@ struct Camera {
 /// azimuth counts counter-clockwise as seen from above, the elevation upwards.
 Camera camera(const Orbit& orbit, const Ball& sight, const Upright& upright, Point area);
 
+/// What a pane shows of the scene in space.
+struct InPane {
+    Ball sight;
+    Vec3<double> focus;                     ///< what coming closer leads to
+    std::span<const Vec3<double>> outline;  ///< points that fill the pane at distance 1
+    Upright upright;
+    Point area;  ///< of the pane
+};
+
+/// Returns the camera of a pane: like `camera`, but enlarged and shifted so that at distance 1 the outline fills the
+/// pane.
+Camera camera_of(const Orbit& orbit, const InPane& shown);
+
 /// Where a point is on the screen, and its depth in front of the eye, measured along the camera's axis.
 struct Projected {
     Point at;
@@ -63,6 +77,9 @@ double length_of_pixel(const Camera& camera, const Vec3<double>& point);
 
 /// Returns the orbit after the mouse was dragged by that many pixels; `text_size` tells how large a pixel is.
 Orbit dragged(Orbit orbit, Point by, double text_size);
+
+/// Returns the orbit after everything was shifted by that many pixels of a pane.
+Orbit panned(Orbit orbit, Point by, Point area);
 
 /// Returns the orbit at `factor` times the distance, within limits.
 Orbit closer(Orbit orbit, double factor);

@@ -77,6 +77,17 @@ double reach_of_sight(const Surfaces<double>& all, const PictureInSpace& picture
     return std::max(5 * length(edge[2] - edge[0]), 1.05 * *std::min_element(distances.begin(), distances.end()));
 }
 
+/// Directions all around, the nearest neighbours some 30 degrees apart.
+std::vector<Vec3<double>> directions_around() {
+    std::vector<Vec3<double>> directions;
+    for (const int x : {-2, -1, 0, 1, 2})
+        for (const int y : {-2, -1, 0, 1, 2})
+            for (const int z : {-2, -1, 0, 1, 2})
+                if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == 2)
+                    directions.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+    return directions;
+}
+
 /// Finds a ball around the picture and all surfaces within reach.
 void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const PictureInSpace& picture) {
     const Vec3<double> from = standpoint(picture);
@@ -111,6 +122,12 @@ void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const Pict
     for (const Vec3<double>& point : points)
         if (is_finite(point)) result.sight.radius = std::max(result.sight.radius, length(point - result.sight.center));
     if (!(result.sight.radius > 0)) result.sight.radius = 1;
+    // Of many points those that reach farthest in some direction.
+    for (const Vec3<double>& direction : directions_around()) {
+        const auto reach_of = [&](const Vec3<double>& p) { return is_finite(p) ? dot(p, direction) : -infinite; };
+        const auto nearer = [&](const Vec3<double>& a, const Vec3<double>& b) { return reach_of(a) < reach_of(b); };
+        result.outline.push_back(*std::max_element(points.begin(), points.end(), nearer));
+    }
 }
 
 /// Halves the longest side until none is longer than `longest`. Neighbours halve a common side alike, so they fit.
@@ -285,6 +302,19 @@ void draw_hit(Drawer& drawer, const Story& story) {
             if (const auto* test = std::get_if<story::TriangleTest>(&surface.test)) draw_sides(drawer, *test);
 }
 
+/// Returns the orbit's distance at which the first hit's surface takes a good part of the pane.
+double near_enough_for(const Story& story, const Ball& sight) {
+    const auto radius = [](const auto& test) {
+        using Test = std::remove_cvref_t<decltype(test)>;
+        if constexpr (std::is_same_v<Test, story::SphereTest>) return test.radius;
+        else return around(Triangle<double>{test.vertices[0], test.vertices[1], test.vertices[2]}).radius;
+    };
+    for (const story::Surface& surface : story.surfaces)
+        if (surface.number == story.hit->surface)
+            return std::clamp(1.5 * std::visit(radius, surface.test) / sight.radius, 5e-3, .5);
+    return .2;
+}
+
 void place_axes(SpaceDrawing& drawing) {
     const Ball& sight = drawing.sight;
     const std::vector<Tick> lengths = ticks(0, 0.45 * sight.radius, 2, false);
@@ -364,6 +394,10 @@ SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const Surface
     result.sight.radius = std::max(result.sight.radius, length(standpoint(result.picture) - result.sight.center));
     const bool has_hit = pinned && pinned->hit && is_finite(values(pinned->hit->point));
     result.focus = has_hit ? values(pinned->hit->point) : result.sight.center;
+    result.outline = surfaces.outline;
+    for (const Vec3<double>& p : corners(result.picture)) result.outline.push_back(p);
+    result.outline.push_back(standpoint(result.picture));
+    if (has_hit) result.near = near_enough_for(*pinned, result.sight);
     result.light = unit(setup.light_vector);
     result.has_light = setup.options.stage >= 4 && is_finite(result.light);
     place_axes(result);

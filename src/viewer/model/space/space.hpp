@@ -36,9 +36,10 @@ struct SurfacesInSpace {
     };
     std::vector<Part> parts;
 
-    Ball sight;          ///< holds the picture and what is near it, with the view unturned
-    Upright upright;     ///< of the view unturned
-    double nearest = 0;  ///< the distance of the surface nearest to the unturned picture's eye or plane
+    Ball sight;                         ///< holds the picture and what is near it, with the view unturned
+    std::vector<Vec3<double>> outline;  ///< points of it that reach as far as all of it
+    Upright upright;                    ///< of the view unturned
+    double nearest = 0;                 ///< the distance of the surface nearest to the unturned picture's eye or plane
 };
 
 /// A line of the drawing.
@@ -81,12 +82,14 @@ struct PictureInSpace {
 /// All that changes when the view turns, the light moves or a pixel is pinned.
 struct SpaceDrawing {
     PictureInSpace picture;
-    Ball sight;              ///< that of the surfaces, large enough for the turned picture
-    Vec3<double> focus;      ///< what coming closer leads to: the first hit, or the middle of all
-    Vec3<double> light;      ///< the unit vector towards it
-    bool has_light = false;  ///< from stage 4 on, and if it has a direction
-    Vec3<double> axes_at;    ///< the world's origin, or if that is out of sight another point
-    double axis_length = 1;  ///< of the world's axes
+    Ball sight;                         ///< that of the surfaces, large enough for the turned picture
+    std::vector<Vec3<double>> outline;  ///< points that reach as far as all that is in sight
+    double near = .2;                   ///< the orbit's distance at which the first hit's surface is large
+    Vec3<double> focus;                 ///< what coming closer leads to: the first hit, or the middle of all
+    Vec3<double> light;                 ///< the unit vector towards it
+    bool has_light = false;             ///< from stage 4 on, and if it has a direction
+    Vec3<double> axes_at;               ///< the world's origin, or if that is out of sight another point
+    double axis_length = 1;             ///< of the world's axes
     std::vector<LineInSpace> lines;
     std::vector<ArrowInSpace> arrows;
     std::vector<LabelInSpace> labels;

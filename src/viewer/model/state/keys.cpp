@@ -5,6 +5,7 @@
 
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/space/camera.hpp"
+#include "viewer/model/space/flight.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -186,6 +187,8 @@ constexpr KeyBinding bindings[] = {
 
     {character('b'), "b", "draw the engine's boxes in space, then a level deeper (with Shift: a level back)", "Space",
      change_boxes},
+    {character('z'), "z", "fly to the first hit, or back to where all is in sight", "Space",
+     [](State& s, const Results&, const KeyPress&) { fly_to_hit_or_back(s); }},
     {named(Key::left, true), "Ctrl+←", "look at the scene in space from elsewhere", "Space", look_from<-1, 0>},
     {named(Key::right, true), "Ctrl+→", "", "Space", look_from<1, 0>},
     {named(Key::up, true), "Ctrl+↑", "", "Space", look_from<0, 1>},

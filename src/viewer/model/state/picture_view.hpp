@@ -6,6 +6,8 @@ namespace glassbox {
 /// A point, or a distance, on the screen or on a picture.
 struct Point {
     double x = 0, y = 0;
+
+    bool operator==(const Point&) const = default;
 };
 
 /// How a picture lies in the area where it is shown. Positions on the picture count in pixels: pixel (x, y) covers

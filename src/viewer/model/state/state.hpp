@@ -80,8 +80,16 @@ enum class Page { inspector, steps, overlay, controls, mine };
 struct Orbit {
     double azimuth = -60, elevation = 25;  ///< degrees
     double distance = 1;                   ///< 1: all of the scene is in sight
+    Point pan;                             ///< how far all is shifted, as parts of the pane's width and height
 
     bool operator==(const Orbit&) const = default;
+};
+
+/// The camera in space on its way, as fast as eyes can follow.
+struct Flight {
+    bool to_hit = true;  ///< otherwise back to where all is in sight
+    Orbit from;
+    double elapsed = 0;  ///< seconds
 };
 
 /// "Watch it trace": how many pixels of the picture have been shown, in the order of the paper's loops.
@@ -134,6 +142,7 @@ struct ViewerState {
     bool space_shown = true;
     float space_height = 0.28f;  ///< a part of the window's
     Orbit orbit;
+    std::optional<Flight> flight;
     std::optional<int> box_level;                ///< the level of the engine's hierarchy whose boxes are drawn in space
     NumberForm number_form = NumberForm::brief;  ///< of the inspector
     bool keys_work_buttons = false;              ///< arrows move from button to button, the space bar presses one

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/model/space/flight.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 
 namespace glassbox {
@@ -72,6 +73,12 @@ ImVec2 draw_box_buttons(const Frame& frame, ImVec2 at) {
         else state.box_level = 0;
     }
     tip("The boxes in which the engine sorts surfaces, level by level (b)");
+    if (frame.results.story && frame.results.story->hit) {
+        ImGui::SameLine(0, gap);
+        const bool is_back = flies_back(state);
+        if (ImGui::Button(is_back ? "All" : "To the hit")) fly_to_hit_or_back(state);
+        tip(is_back ? "Fly back to where all is in sight (z)" : "Fly to the ray's first hit (z)");
+    }
     if (!state.box_level) return ImGui::GetItemRectMax();
     const std::optional<int> level = shown_level(state, frame.results);
     ImGui::SameLine(0, gap);

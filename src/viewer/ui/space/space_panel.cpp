@@ -136,19 +136,22 @@ std::string said_of(const SpaceCanvas& canvas, ImVec2 mouse, const std::vector<H
                                : "");
     if (seen.surface)
         return fmt::format("Surface {}, a {}", *seen.surface, word(kind_of(*canvas.frame.state.scene, *seen.surface)));
-    return "Drag to look from elsewhere, wheel to come closer, double click to go back";
+    return "Drag to look from elsewhere, Shift+drag to shift, wheel to come closer, double click to go back";
 }
 
 void listen_to_mouse(const Frame& frame, ImVec2 size) {
     ViewerState& state = frame.state;
-    ImGui::InvisibleButton("in space", size);
+    ImGui::InvisibleButton("in space", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered()) {
         if (io.MouseWheel != 0) state.orbit = closer(state.orbit, std::pow(1.15, -io.MouseWheel));
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.orbit = Orbit{};
     }
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
-        state.orbit = dragged(state.orbit, {io.MouseDelta.x, io.MouseDelta.y}, ImGui::GetFontSize());
+    const Point by{io.MouseDelta.x, io.MouseDelta.y};
+    if (!ImGui::IsItemActive() || by == Point{}) return;
+    state.flight.reset();
+    const bool shifts = io.KeyShift || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+    state.orbit = shifts ? panned(state.orbit, by, {size.x, size.y}) : dragged(state.orbit, by, ImGui::GetFontSize());
 }
 
 }  // namespace
@@ -170,10 +173,8 @@ void draw_space(const Frame& frame) {
 
     const SurfacesInSpace& surfaces = frame.space.surfaces();
     const SpaceDrawing& drawing = frame.space.drawing();
-    Ball sight = drawing.sight;
-    sight.center = sight.center + std::max(0.0, 1 - frame.state.orbit.distance) * (drawing.focus - sight.center);
-    const SpaceCanvas canvas{frame, surfaces, drawing,
-                             list,  corner,   camera(frame.state.orbit, sight, surfaces.upright, {size.x, size.y})};
+    const InPane shown{drawing.sight, drawing.focus, drawing.outline, surfaces.upright, {size.x, size.y}};
+    const SpaceCanvas canvas{frame, surfaces, drawing, list, corner, camera_of(frame.state.orbit, shown)};
     const ImVec2 end{corner.x + size.x, corner.y + size.y};
     canvas.list.PushClipRect(corner, end, true);
     paint_sorted(canvas);
