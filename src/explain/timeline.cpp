@@ -133,10 +133,10 @@ private:
         events_.back().surface = row;
         tell_steps(surface.steps, row, [](std::size_t) { return true; });
         const bool met = is_met(surface.fate);
-        std::string verdict =
+        std::string answer =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
-        if (surface.needed_exact) verdict += ", decided in exact arithmetic";
-        add(fmt::format("surface {}: {}", surface.number, verdict), met, rule);
+        if (surface.needed_exact) answer += ", decided in exact arithmetic";
+        add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
     }
 

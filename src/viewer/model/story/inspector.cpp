@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "explain/phrases.hpp"
@@ -323,8 +322,6 @@ std::vector<NumberFact> facts(const InspectedNumber& number) {
         {path + "/known", "the truth is known", std::string(word(n.known))},
     };
 }
-
-double angle(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
 int digits_of_steps(const Options& options) {
     return with_scalar_of_steps(options.scalar,

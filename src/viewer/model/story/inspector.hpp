@@ -70,9 +70,6 @@ struct NumberFact {
 };
 std::vector<NumberFact> facts(const InspectedNumber& number);
 
-/// Returns the angle that belongs to a dot product of unit vectors, in degrees; rounding may have carried it beyond ±1.
-double angle(double cosine);
-
 /// Returns how many bits the scalar of a story's steps has.
 int digits_of_steps(const Options& options);
 
