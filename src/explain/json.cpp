@@ -80,10 +80,14 @@ Json json(const LeastSure& least) {
 }
 
 Json json(const Surface& surface) {
-    Json row = {{"surface", surface.number},    {"kind", word(surface.kind)},
-                {"color", json(surface.color)}, {"met", is_met(surface.fate)},
-                {"fate", word(surface.fate)},   {"truly_met", surface.truly_met},
-                {"truly_nearest", surface.truly_nearest}, {"decided", surface.needed_exact ? "exact" : "filter"},
+    Json row = {{"surface", surface.number},
+                {"kind", word(surface.kind)},
+                {"color", json(surface.color)},
+                {"met", is_met(surface.fate)},
+                {"fate", word(surface.fate)},
+                {"truly_met", surface.truly_met},
+                {"truly_nearest", surface.truly_nearest},
+                {"decided", surface.needed_exact ? "exact" : "filter"},
                 {"t", json(surface.t)}};
     std::visit([&](const auto& test) { add_test(row, test); }, surface.test);
     return row;
@@ -158,8 +162,7 @@ std::string to_json(const Story& story) {
         {"line", verdict_line(story)},
         {"verdict", story.judgement ? Json(word(story.judgement->verdict)) : Json(nullptr)},
         {"truth", story.judgement ? json(*story.judgement) : Json(nullptr)},
-        {"least_sure",
-         story.judgement && story.judgement->least ? json(*story.judgement->least) : Json(nullptr)},
+        {"least_sure", story.judgement && story.judgement->least ? json(*story.judgement->least) : Json(nullptr)},
         {"shown", options.stage == 1 ? "ray"
                   : story.hit        ? "hit"
                                      : "miss"},

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "explain/loss.hpp"
+#include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
-#include "explain/symbols.hpp"
 #include "numerics/graded.hpp"
 #include "render/parallel.hpp"
 #include "render/search/exact_crossing.hpp"
@@ -152,8 +152,8 @@ Judgement judged(const std::shared_ptr<const engine::Engine>& surfaces, const Op
     result.wrongly_met = pixel.met.size() - rightly_met;
     result.wrongly_missed = truth.met.size() - rightly_met;
     if (const auto surface = judged_wrongly(result)) {
-        const bool met = std::any_of(pixel.met.begin(), pixel.met.end(),
-                                     [&](const auto& hit) { return hit.surface == *surface; });
+        const bool met =
+            std::any_of(pixel.met.begin(), pixel.met.end(), [&](const auto& hit) { return hit.surface == *surface; });
         result.by_rule = met != truth.has(*surface) && says_the_same(*surfaces, options, pixel.ray, *surface, met);
     }
     return result;
@@ -181,15 +181,16 @@ std::optional<LeastSure> least_sure(const std::shared_ptr<const engine::Engine>&
 }
 
 void find_step(LeastSure& least, const std::vector<Surface>& rows) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Surface& s) { return s.number == least.surface; });
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Surface& s) { return s.number == least.surface; });
     if (row == rows.end()) return;
     least.row = static_cast<std::size_t>(row - rows.begin());
     const Steps steps = row->steps;
     least.step = least.nearer_than ? named(steps, "t") : number_with(steps, least.sureness);
     least.name = "t";
     if (!least.step) return;
-    least.name = steps[*least.step].name;
-    if (least.name.empty()) least.name = symbols(steps)[*least.step].written;
+    const StoryStep& told = steps[*least.step];
+    least.name = told.name.empty() ? "the result " + place(told.step) : told.name;
     find_worst_before(least, steps);
 }
 
@@ -203,6 +204,7 @@ std::vector<std::string> turned(const Surface& surface) {
         if (!its_name.empty() && std::find(names.begin(), names.end(), its_name) == names.end())
             names.push_back(its_name);
     }
+    std::sort(names.begin(), names.end());
     return names;
 }
 

@@ -61,7 +61,11 @@ std::string lost(const Number& n) {
 
 std::string sign_and_lost(const Number& n) {
     if (std::isnan(n.bits_lost)) return lost(n);
-    return fmt::format("{}truly {}, {}", mark_of_sign(n) == Mark::wrong ? "wrong: " : "", n.sign > 0 ? "> 0" : n.sign < 0 ? "< 0" : "= 0", lost(n));
+    return fmt::format("{}truly {}, {}", mark_of_sign(n) == Mark::wrong ? "wrong: " : "",
+                       n.sign > 0   ? "> 0"
+                       : n.sign < 0 ? "< 0"
+                                    : "= 0",
+                       lost(n));
 }
 
 std::string why(const Surface& surface, const Story& story) {

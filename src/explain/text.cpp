@@ -123,9 +123,9 @@ void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
         const std::string corner = triple(v), value = bounded(n);
         const std::string truth = fmt::format("{} {}", sign(mark_of_sign(n)), sign_and_lost(n));
         constexpr std::size_t corner_width = 23, value_width = 29, others = 19;  // what stands between them
-        const bool fits = std::max(columns(corner), corner_width) + std::max(columns(value), value_width) +
-                              columns(truth) + others <=
-                          most_columns;
+        const bool fits =
+            std::max(columns(corner), corner_width) + std::max(columns(value), value_width) + columns(truth) + others <=
+            most_columns;
         if (fits) return page.line("{:>5}  {} = {:<23} {} = {:<29} {}", before, vertex, corner, side, value, truth);
         page.line("{:>5}  {} = {}", before, vertex, corner);
         page.line("{:>5}  {} = {:<29} {}", "", side, value, truth);
@@ -221,8 +221,8 @@ void tell_hit(Page& page, const Story& story, const FirstHit& hit) {
 
 std::string to_text(const Story& story) {
     std::string text = headline(story);
-    text += fmt::format("Pixel ({}, {}) of {} × {}, column {} and row {} from the bottom left\n", story.x,
-                                   story.y, story.width, story.height, story.column, story.row);
+    text += fmt::format("Pixel ({}, {}) of {} × {}, column {} and row {} from the bottom left\n", story.x, story.y,
+                        story.width, story.height, story.column, story.row);
     if (!story.title.empty()) text += "  " + printable(story.title) + '\n';
     Page page;
     tell_pixel(page, story);

@@ -107,7 +107,7 @@ Mark mark_of(const Story& story) {
 
 std::string verdict_line(const Story& story) {
     if (story.options.stage == 1) return "stage 1 traces nothing: the colour is the ray's direction";
-    const std::string under = story.border ? "border, painted over what the ray brings; beneath it " : "";
+    const std::string under = story.border ? "border, painted over what the ray brings; beneath it: " : "";
     if (!story.judgement) return under + "not known: a number of the ray is not finite, or D = 0";
     const Judgement& judgement = *story.judgement;
     if (judgement.verdict == Verdict::right) return under + right_line(judgement, story.options);

@@ -54,7 +54,8 @@ inline double sureness_of_order(const Bounded& a, const Bounded& b) {
     if (a.error == 0 && b.error == 0) return std::numeric_limits<double>::infinity();
     const double gap = std::abs(a.value - b.value);
     if (!std::isfinite(gap)) return 0;
-    return gap / Bounded::up(a.error + b.error + Bounded::u * gap);
+    const double rounding = a.value == 0 || b.value == 0 ? 0 : Bounded::u * gap;  // of the gap
+    return gap / Bounded::up(a.error + b.error + rounding);
 }
 
 /// A float, double or long double with a guaranteed bound on its error, whose comparisons answer as the scalar's own

@@ -102,8 +102,7 @@ Verdict verdict(const std::optional<std::size_t>& found, const std::optional<std
 bool TrueHits::has(std::size_t surface) const { return std::binary_search(met.begin(), met.end(), surface); }
 
 void ReferenceSearch::for_each_tested(const Ray<double>& ray, engine::FunctionRef<void(std::size_t)> ask) const {
-    const std::optional<engine::BoxRay> boxes =
-        engine_->size() <= few ? std::nullopt : engine::box_ray(ray, *engine_);
+    const std::optional<engine::BoxRay> boxes = engine_->size() <= few ? std::nullopt : engine::box_ray(ray, *engine_);
     if (!boxes) {
         for (std::size_t surface = 0; surface < engine_->size(); ++surface) ask(surface);
         return;
@@ -130,8 +129,8 @@ TrueHits ReferenceSearch::hits(const Ray<double>& ray) const {
 
 int ReferenceSearch::order(const Ray<double>& ray, std::size_t one, std::size_t other) const {
     const auto t = [&](std::size_t surface) {
-        return engine_->with_surface(
-            surface, [&](const auto& shape) { return *exact_crossing(ray, shape, rule_for(shape)); });
+        return engine_->with_surface(surface,
+                                     [&](const auto& shape) { return *exact_crossing(ray, shape, rule_for(shape)); });
     };
     return in_order(t(one), t(other));
 }

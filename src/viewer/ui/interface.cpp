@@ -147,6 +147,7 @@ void Interface::lay_out(const Frame& frame) {
     ImGui::SameLine();
     ImGui::PopStyleVar();
     ImGui::BeginChild("side", {right, body.y});
+    draw_truth(frame);
     draw_pages(frame);
     ImGui::EndChild();
 

@@ -5,6 +5,7 @@
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/truth.hpp"
 
 namespace glassbox {
 
@@ -125,6 +126,13 @@ constexpr KeyBinding bindings[] = {
 
     {character('b'), "b", "draw the engine's boxes in space, then a level deeper (with Shift: a level back)", "Space",
      change_boxes},
+
+    {character('q'), "q", "to the search: how many surfaces were tested and met, and the overlay tests", "Truth",
+     [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::search); }},
+    {character('l'), "l", "to the light: n·l, and its overlay", "Truth",
+     [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::cosines); }},
+    {character('e'), "e", "to the least sure sign, and the overlay margin", "Truth",
+     [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::margin); }},
 
     {named(Key::space), "Space", "play the pinned pixel's steps, or pause", "Steps", play},
     {character(']'), "]", "a step forward", "Steps", step<StepTo::forward>},

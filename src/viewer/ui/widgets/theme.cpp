@@ -19,6 +19,9 @@ constexpr Palette on_dark{
     .a = IM_COL32(86, 180, 233, 255),
     .b = IM_COL32(230, 159, 0, 255),
     .c = IM_COL32(225, 140, 190, 255),
+    .n_l = IM_COL32(240, 200, 60, 255),
+    .n_r = IM_COL32(86, 180, 233, 255),
+    .n_h = IM_COL32(190, 155, 255, 255),
     .box = IM_COL32(230, 159, 0, 255),
 };
 constexpr Palette on_light{
@@ -34,10 +37,17 @@ constexpr Palette on_light{
     .a = IM_COL32(0, 100, 170, 255),
     .b = IM_COL32(165, 105, 0, 255),
     .c = IM_COL32(170, 60, 130, 255),
+    .n_l = IM_COL32(150, 105, 0, 255),
+    .n_r = IM_COL32(0, 100, 170, 255),
+    .n_h = IM_COL32(105, 60, 175, 255),
     .box = IM_COL32(165, 105, 0, 255),
 };
 
 }  // namespace
+
+ImU32 color_of(const Palette& palette, story::Mark mark) {
+    return mark == story::Mark::right ? palette.passed : mark == story::Mark::wrong ? palette.failed : palette.warning;
+}
 
 Palette apply_theme(const Appearance& appearance, float text_size) {
     ImGuiStyle style;
