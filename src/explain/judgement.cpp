@@ -1,11 +1,12 @@
 #include "explain/judgement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "explain/loss.hpp"
-#include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "numerics/graded.hpp"
 #include "render/parallel.hpp"
@@ -190,7 +191,7 @@ void find_step(LeastSure& least, const std::vector<Surface>& rows) {
     least.name = "t";
     if (!least.step) return;
     const StoryStep& told = steps[*least.step];
-    least.name = told.name.empty() ? "the result " + place(told.step) : told.name;
+    least.name = told.name.empty() ? fmt::format("the result of line {}", told.step.line) : told.name;
     find_worst_before(least, steps);
 }
 

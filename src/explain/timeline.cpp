@@ -153,7 +153,7 @@ private:
 
     void tell_nearest() {
         group_ = "which is nearest";
-        if (story_.not_listed > 0) add(fmt::format("{} more surfaces are tested, and missed", story_.not_listed));
+        if (story_.not_listed > 0) add(fmt::format("{} more surfaces are missed", story_.not_listed));
         constexpr Function by{"/crossing.hpp", "nearest"};
         if (!story_.hit) add("nothing is met: the background", {}, by);
         else

@@ -105,6 +105,17 @@ Mark mark_of(const Story& story) {
     return story.judgement->verdict == Verdict::right ? Mark::right : Mark::wrong;
 }
 
+bool is_surely_right(const Story& story) {
+    if (mark_of(story) != Mark::right || !story.judgement->is_weighed) return false;
+    return is_proven(story.options.scalar) || !story.judgement->least || story.judgement->least->sureness > 1;
+}
+
+std::string short_verdict_line(const Story& story) {
+    const std::string line = verdict_line(story);
+    const bool right = mark_of(story) == Mark::right && !story.border;
+    return line.substr(0, right ? line.find(": ") : line.find("; "));
+}
+
 std::string verdict_line(const Story& story) {
     if (story.options.stage == 1) return "stage 1 traces nothing: the colour is the ray's direction";
     const std::string under = story.border ? "border, painted over what the ray brings; beneath it: " : "";

@@ -17,9 +17,16 @@ std::string_view word(Verdict verdict);
 /// Whether the pixel shows what is true. Unknown in stage 1, and for a ray that is not valid.
 story::Mark mark_of(const Story& story);
 
+/// Whether it is proven that the pixel shows what is true.
+bool is_surely_right(const Story& story);
+
 /// What is shown, what is true, and how sure that is, in a line: "right, proven, 12.2 digits to spare: surface 816 is
 /// shown, and nearest"; "wrong hit: surface 55 is shown, and nothing is there".
 std::string verdict_line(const Story& story);
+
+/// Its beginning, for where there is little room: "right, proven, 12.2 digits to spare"; "wrong hit: surface 55 is
+/// shown, and nothing is there".
+std::string short_verdict_line(const Story& story);
 
 /// Whether a surface is met, or missed, as it truly is.
 story::Mark mark_of(const story::Surface& surface, const Story& story);

@@ -62,6 +62,7 @@ void fill_search(Tile& tile, const Story& story, Events events) {
     tile.brief = {{fmt::format("{} / {}", story.tested, story.met)}};
     if (const std::string by_engine = boxes(story); !by_engine.empty()) tile.lines.push_back({by_engine, About::words});
     tile.step = event_where(events, [](const Event& event) { return event.group == "which is nearest"; });
+    if (tile.step && story.not_listed > 0) ++*tile.step;  // first it is said how many more are missed
 }
 
 void fill_cosines(Tile& tile, const Story& story, Events events) {
@@ -123,12 +124,12 @@ bool hides_truth(const ViewerState& state, const Results& results) {
 }  // namespace
 
 TruthInSight truth_in_sight(const ViewerState& state, const Results& results) {
-    TruthInSight seen{.mark = {}, .line = "", .tiles = empty_tiles()};
+    TruthInSight seen;
+    seen.tiles = empty_tiles();
     auto& [search, cosines, margins] = seen.tiles;
     if (!state.pinned || !results.story) {
-        seen.line = state.pinned
-                        ? "checking this pixel …"
-                        : "Click a pixel: is it right, and how sure is that? What is tested, the angles, the margin:";
+        seen.line = state.pinned ? "checking this pixel …" : "Click a pixel: is it right, and how sure is that?";
+        seen.short_line = seen.line;
         search.lines = search.brief = {{"surfaces", About::words}};
         cosines.lines = {{"n·l", About::n_l}, {"n·r", About::n_r}, {"n·h", About::n_h}};
         cosines.brief = {{"n·l n·r n·h", About::words}};
@@ -136,13 +137,15 @@ TruthInSight truth_in_sight(const ViewerState& state, const Results& results) {
         return seen;
     }
     if (hides_truth(state, results)) {
-        seen.line = "Hidden while you predict: answer the questions, or switch Predict first off.";
+        seen.line = seen.short_line = "Hidden while you predict: answer the questions, or switch Predict first off.";
         fill_hidden(seen.tiles);
         return seen;
     }
     const Story& story = *results.story;
     seen.mark = mark_of(story);
+    seen.is_sure = is_surely_right(story);
     seen.line = verdict_line(story);
+    seen.short_line = short_verdict_line(story);
     fill_search(search, story, results.timeline);
     fill_cosines(cosines, story, results.timeline);
     fill_margin(margins, story, results.timeline);

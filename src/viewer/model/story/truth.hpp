@@ -35,8 +35,9 @@ struct Tile {
 /// What stands above the pages, whichever is open.
 struct TruthInSight {
     std::optional<story::Mark> mark;  ///< none: no pixel is judged
-    std::string line;
-    std::array<Tile, 3> tiles;  ///< by TileKind
+    bool is_sure = true;              ///< what is marked as right is proven
+    std::string line, short_line;     ///< with all words, and with fewer
+    std::array<Tile, 3> tiles;        ///< by TileKind
 };
 
 /// Of the pinned pixel; without one, what to do.
