@@ -65,9 +65,9 @@ private:
         });
     }
 
-    /// An answer that should hold, and does not, proves nothing.
+    /// An answer that should hold, and does not, cannot be sure: the bounds leave it open.
     void keep(const GradedTruth& answer, std::size_t surface, const std::optional<std::size_t>& nearer) {
-        const double sureness = answer.holds ? answer.sureness : 0;
+        const double sureness = answer.holds ? answer.sureness : std::min(answer.sureness, 1.0);
         if (found_ && !(sureness < least_)) return;
         least_ = sureness;
         found_ = LeastSure{};
@@ -112,6 +112,13 @@ std::optional<StepNumber> named(Steps steps, std::string_view name) {
     const auto found = std::find_if(steps.begin(), steps.end(), [&](const StoryStep& s) { return s.name == name; });
     if (found == steps.end()) return {};
     return static_cast<StepNumber>(found - steps.begin());
+}
+
+/// Where a surface's t was computed: a triangle's has a step of its own, a sphere's is one of its roots.
+std::optional<StepNumber> step_of_t(Steps steps) {
+    if (const auto t = named(steps, "t")) return t;
+    const auto t0 = named(steps, "t₀");
+    return t0 && steps[*t0].checked.recorded > 0 ? t0 : named(steps, "t₁");
 }
 
 /// Finds, among a number and the steps that lead to it, the one that lost the most bits itself.
@@ -187,8 +194,8 @@ void find_step(LeastSure& least, const std::vector<Surface>& rows) {
     if (row == rows.end()) return;
     least.row = static_cast<std::size_t>(row - rows.begin());
     const Steps steps = row->steps;
-    least.step = least.nearer_than ? named(steps, "t") : number_with(steps, least.sureness);
-    least.name = "t";
+    least.step = least.nearer_than ? step_of_t(steps) : number_with(steps, least.sureness);
+    least.name = least.nearer_than ? "t" : "a number";
     if (!least.step) return;
     const StoryStep& told = steps[*least.step];
     least.name = told.name.empty() ? fmt::format("the result of line {}", told.step.line) : told.name;

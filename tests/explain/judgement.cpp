@@ -36,8 +36,8 @@ double measured(const Scene& scene, const Options& options, const char* what, in
 
 }  // namespace
 
-// A spoilt side product shares one sign with the others or not: by the rule of 10 every ray in the picture hits the
-// triangle of size 1 (tests/render/failing_scenes.cpp), and pixel (399, 0) looks at (2.49, 2.49), far outside.
+// By the rule of 10 every ray of the picture hits the triangle of size 1 (tests/render/failing_scenes.cpp); pixel
+// (399, 0) looks at (2.49, 2.49), far outside.
 TEST_CASE("the tolerance hits where nothing is, and does so without any rounding") {
     for (const Scalar scalar : {Scalar::certified, Scalar::double_, Scalar::float_})
         CHECK(
@@ -147,6 +147,25 @@ TEST_CASE("the verdict is the measurement's, the truth is what certified finds, 
     CHECK(proven > 100);
     CHECK(open > 100);
     CHECK(wrong > 100);
+}
+
+// Two spheres, one 1e-9 behind the other: the difference of their t₀, near 350, decides.
+TEST_CASE("which of two is nearer is a sign, too, and a sphere's t is its root") {
+    Scene scene = read("levental-2014");
+    scene.triangles.clear();
+    scene.spheres = {{{100, 350, 350}, 50, {0, 255, 0}}, {{100 - 1e-9, 350, 350}, 50, {255, 0, 0}}};
+    const Story story = explain(scene, {}, 350, 149);
+    REQUIRE(story.judgement);
+    REQUIRE(story.judgement->least);
+    const LeastSure& least = *story.judgement->least;
+    CHECK(story.judgement->shown == 0);
+    CHECK(least.surface == 1);
+    CHECK(least.nearer_than == 0);
+    REQUIRE(least.step);
+    CHECK(story.surfaces.at(1).steps.at(*least.step).name == "t₀");
+    CHECK(whose(least) == "t of surfaces 0 and 1");
+    // They are 1e-9 apart, and each t, near 350, has an error of some u·350 = 4e-14: at most five digits are to spare.
+    CHECK(margin(least) < 5);
 }
 
 TEST_CASE("a margin is rounded down, so that as many digits are there") {

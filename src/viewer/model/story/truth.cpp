@@ -97,9 +97,9 @@ void fill_margin(Tile& tile, const Story& story, Events events) {
     const LeastSure& least = *story.judgement->least;
     const bool proven = least.sureness > 1;
     const std::string digits = margin_text(least);
-    tile.lines = {{proven ? digits + " digits" : digits + ": open", proven ? About::number : About::danger},
+    tile.lines = {{proven ? digits + " digits" : digits + ": undecided", proven ? About::number : About::danger},
                   {whose(least), About::number}};
-    tile.brief = {{proven ? digits : digits + ": open", proven ? About::number : About::danger},
+    tile.brief = {{proven ? digits : digits + ": undecided", proven ? About::number : About::danger},
                   {least.nearer_than ? fmt::format("t: {}, {}", *least.nearer_than, least.surface)
                                      : fmt::format("{} of {}", least.name, least.surface)}};
     if (const std::string culprit = lost_by(least, story); !culprit.empty()) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -117,15 +118,17 @@ private:
     std::array<Box, 3> boxes_;
 };
 
-/// With all words if they take little height, side by side if they are not too wide for that.
+/// With all words if they take little height, side by side if they are not too wide for that; else as low as can be.
 TileRows laid_out(const Frame& frame, const std::array<Tile, 3>& tiles, float room, float most_height) {
-    const std::array<TileRows, 4> ways{TileRows(frame, tiles, room, 3, false), TileRows(frame, tiles, room, 3, true),
-                                       TileRows(frame, tiles, room, 2, true), TileRows(frame, tiles, room, 1, true)};
-    for (const TileRows& way : ways)
-        if (way.fits() && way.height() <= most_height) return way;
-    for (const TileRows& way : std::span(ways).subspan(1))
-        if (way.fits()) return way;
-    return ways.back();
+    const TileRows whole(frame, tiles, room, 3, false);
+    if (whole.fits() && whole.height() <= most_height) return whole;
+    std::optional<TileRows> lowest;
+    for (std::size_t in_a_row = 3; in_a_row > 0; --in_a_row) {
+        const TileRows brief(frame, tiles, room, in_a_row, true);
+        if (in_a_row > 1 && !brief.fits()) continue;
+        if (!lowest || brief.height() < lowest->height()) lowest = brief;
+    }
+    return *lowest;
 }
 
 void draw_tile(const Frame& frame, const TileRows& rows, const Tile& tile, std::size_t number) {
