@@ -29,6 +29,13 @@ std::string what_is_shown(const Judgement& judgement) {
     return fmt::format("surface {} is shown, and nearest", *judgement.shown);
 }
 
+/// "the sign of c of surface 816"; "which of surfaces 3 and 816 is nearer".
+std::string left_open(const LeastSure& least) {
+    if (least.nearer_than)
+        return fmt::format("which of surfaces {} and {} is nearer", *least.nearer_than, least.surface);
+    return "the sign of " + whose(least);
+}
+
 std::string right_line(const Judgement& judgement, const Options& options) {
     const std::string shown = what_is_shown(judgement);
     if (!judgement.is_weighed) return "right: " + shown + "; checking how sure that is …";
@@ -40,12 +47,12 @@ std::string right_line(const Judgement& judgement, const Options& options) {
                            exact ? "nothing was rounded" : margin_text(least) + " digits to spare", shown);
     }
     if (is_proven(options.scalar))
-        return fmt::format("right, proven in exact arithmetic: {}; bounds leave {} open", shown, whose(least));
+        return fmt::format("right, proven in exact arithmetic: {}; bounds leave open {}", shown, left_open(least));
     const std::size_t wrong = judgement.wrongly_met + judgement.wrongly_missed;
     if (wrong > 0)
         return fmt::format("right by luck, not proven: {}; {} other surface{} judged wrongly", shown, wrong,
                            wrong == 1 ? " is" : "s are");
-    return fmt::format("right, but not proven: {}; its bound leaves {} open", shown, whose(least));
+    return fmt::format("right, but not proven: {}; bounds leave open {}", shown, left_open(least));
 }
 
 /// What made it wrong, if that can be said.
