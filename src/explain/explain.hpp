@@ -8,6 +8,7 @@ namespace glassbox {
 /// How much of a pixel's story to tell.
 enum class Detail {
     recorded,  ///< what was computed at the hit; neither bounds nor true values, and no other surfaces
+    judged,    ///< all but the least sure sign, which takes a plain scalar a test of each surface of the scene
     whole,
 };
 

@@ -134,7 +134,7 @@ ToldHit told_hit(const Scene& scene, const Options& options, const TracedPixel& 
     hit.surface = pixel.nearest->surface;
     hit.t = look(t);
     hit.t_by_exact = t_by_exact;
-    if (hit.t_by_exact && detail == Detail::whole)
+    if (hit.t_by_exact && detail != Detail::recorded)
         if (const std::optional<TrueT> truth = exact_crossing(pixel.ray, shape, rule))
             hit.t = checked(pixel.nearest->t, truth->exact());
     hit.point = look(point);
@@ -144,7 +144,7 @@ ToldHit told_hit(const Scene& scene, const Options& options, const TracedPixel& 
     hit.tested_before = test.step_count;
     find_worst(hit);
     return {std::move(hit), shade ? shade->color : own,
-            detail == Detail::whole ? std::optional(looked_up(test, weights, look)) : std::nullopt};
+            detail != Detail::recorded ? std::optional(looked_up(test, weights, look)) : std::nullopt};
 }
 
 }  // namespace

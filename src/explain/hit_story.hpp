@@ -10,7 +10,7 @@ namespace glassbox {
 struct ToldHit {
     story::FirstHit hit;
     Rgb color;
-    std::optional<ToldTest> test;  ///< of that surface by the chosen rule, on the same tape; with Detail::whole
+    std::optional<ToldTest> test;  ///< of that surface by the chosen rule, on the same tape; not with Detail::recorded
 };
 
 /// `pixel` must have a nearest surface.

@@ -4,6 +4,7 @@
 
 #include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 #include "scene/shading_models.hpp"
@@ -15,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace story;
 
-constexpr int version = 1;
+constexpr int version = 2;
 
 /// JSON has no infinity or NaN: they become null.
 Json json(const Number& n) {
@@ -23,6 +24,8 @@ Json json(const Number& n) {
             {"true", n.truth},  {"true_hex", hex(n.truth)}, {"off", n.distance},
             {"sign", n.sign},   {"bits_lost", n.bits_lost}, {"known", word(n.known)}};
 }
+Json json(const std::optional<std::size_t>& n) { return n ? Json(*n) : Json(nullptr); }
+Json json(const std::optional<StepNumber>& n) { return n ? Json(*n) : Json(nullptr); }
 Json json(const std::optional<Number>& n) { return n ? json(*n) : Json(nullptr); }
 Json json(const Vector& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
 Json json(const Vec3<double>& v) { return Json::array({v.x, v.y, v.z}); }
@@ -54,10 +57,37 @@ void add_test(Json& row, const TriangleTest& test) {
     }
 }
 
+Json json(const Judgement& judgement) {
+    return {{"surface", json(judgement.truth)},
+            {"shown_is_there", judgement.shown_is_there},
+            {"at_once", judgement.at_once},
+            {"wrongly_met", judgement.wrongly_met},
+            {"wrongly_missed", judgement.wrongly_missed},
+            {"by_rule", judgement.by_rule},
+            {"turned", judgement.turned}};
+}
+
+Json json(const LeastSure& least) {
+    return {{"margin", margin(least)},
+            {"proven", least.sureness > 1},
+            {"surface", least.surface},
+            {"nearer_than", json(least.nearer_than)},
+            {"name", least.name},
+            {"row", json(least.row)},
+            {"step", json(least.step)},
+            {"worst_step", json(least.worst)},
+            {"worst_bits", least.worst_loss}};
+}
+
 Json json(const Surface& surface) {
-    Json row = {{"surface", surface.number},    {"kind", word(surface.kind)},
-                {"color", json(surface.color)}, {"met", is_met(surface.fate)},
-                {"fate", word(surface.fate)},   {"decided", surface.needed_exact ? "exact" : "filter"},
+    Json row = {{"surface", surface.number},
+                {"kind", word(surface.kind)},
+                {"color", json(surface.color)},
+                {"met", is_met(surface.fate)},
+                {"fate", word(surface.fate)},
+                {"truly_met", surface.truly_met},
+                {"truly_nearest", surface.truly_nearest},
+                {"decided", surface.needed_exact ? "exact" : "filter"},
                 {"t", json(surface.t)}};
     std::visit([&](const auto& test) { add_test(row, test); }, surface.test);
     return row;
@@ -129,9 +159,13 @@ std::string to_json(const Story& story) {
         {"pixel", {story.x, story.y}},
         {"column", story.column},
         {"row", story.row},
-        {"verdict", options.stage == 1 ? "ray"
-                    : story.hit        ? "hit"
-                                       : "miss"},
+        {"line", verdict_line(story)},
+        {"verdict", story.judgement ? Json(word(story.judgement->verdict)) : Json(nullptr)},
+        {"truth", story.judgement ? json(*story.judgement) : Json(nullptr)},
+        {"least_sure", story.judgement && story.judgement->least ? json(*story.judgement->least) : Json(nullptr)},
+        {"shown", options.stage == 1 ? "ray"
+                  : story.hit        ? "hit"
+                                     : "miss"},
         {"surface", story.hit ? Json(story.hit->surface) : Json(nullptr)},
         {"color", json(story.color)},
         {"border", story.border},
@@ -148,7 +182,10 @@ std::string to_json(const Story& story) {
           {"D", json(story.ray.D)},
           {"D_hex", hexes(story.ray.D)}}},
         {"ray_color", story.ray_color ? json(*story.ray_color) : Json(nullptr)},
+        {"in_all", story.in_all},
         {"tested", story.tested},
+        {"nodes", json(story.nodes)},
+        {"boxes_missed", json(story.boxes_missed)},
         {"met", story.met},
         {"surfaces", std::move(surfaces)},
         {"not_listed", story.not_listed},

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "numerics/dyadic.hpp"
 #include "numerics/printed_bound.hpp"
@@ -59,7 +61,11 @@ std::string lost(const Number& n) {
 
 std::string sign_and_lost(const Number& n) {
     if (std::isnan(n.bits_lost)) return lost(n);
-    return fmt::format("truly {}, {}", n.sign > 0 ? "> 0" : n.sign < 0 ? "< 0" : "= 0", lost(n));
+    return fmt::format("{}truly {}, {}", mark_of_sign(n) == Mark::wrong ? "wrong: " : "",
+                       n.sign > 0   ? "> 0"
+                       : n.sign < 0 ? "< 0"
+                                    : "= 0",
+                       lost(n));
 }
 
 std::string why(const Surface& surface, const Story& story) {
@@ -94,7 +100,7 @@ std::string why(const Surface& surface, const Story& story) {
     return "";
 }
 
-std::string verdict_phrase(const Story& story) {
+std::string shown_phrase(const Story& story) {
     if (story.options.stage == 1) return "stage 1 knows no surfaces: the colour is the ray's direction";
     if (!story.hit) return "nothing is met: the background";
     const std::size_t number = story.hit->surface;
@@ -104,6 +110,12 @@ std::string verdict_phrase(const Story& story) {
                                  ? std::string("surface")
                                  : fmt::format("{} of colour {}, surface", word(row->kind), triple(row->color));
     return fmt::format("{} {}, at t = {}", what, number, short_number(story.hit->t.value));
+}
+
+double angle(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+std::string degrees(double cosine) {
+    return std::isfinite(cosine) ? fmt::format("{:.1f}°", angle(cosine)) : std::string("no angle");
 }
 
 std::string tolerance_phrase(const TriangleTest& test) {

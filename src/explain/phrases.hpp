@@ -40,14 +40,21 @@ std::string truth(const story::Number& number);
 /// "1.6 bits lost"; "no bits lost"; where that is not known: "truly unknown", "truly 0, as far as 320 bits tell".
 std::string lost(const story::Number& number);
 
-/// The same after the sign of the true value: "truly > 0, 1.6 bits lost".
+/// The same after the sign of the true value: "truly > 0, 1.6 bits lost"; "wrong: truly > 0, 24.0 bits lost" where the
+/// computed one is another.
 std::string sign_and_lost(const story::Number& number);
 
 /// Why a surface was met, or not: "missed: side products of both signs, the line passes outside".
 std::string why(const story::Surface& surface, const Story& story);
 
 /// What the pixel shows: "sphere of colour (0, 255, 0), surface 0, at t = 441.716".
-std::string verdict_phrase(const Story& story);
+std::string shown_phrase(const Story& story);
+
+/// The angle that belongs to a dot product of unit vectors, in degrees; rounding may have carried it beyond ±1.
+double angle(double cosine);
+
+/// The same in words: "37.8°"; "no angle" for what is no number.
+std::string degrees(double cosine);
 
 /// How the difference compares with the tolerance: "under 10"; "not under 10"; "but a+b+c is 0".
 std::string tolerance_phrase(const story::TriangleTest& test);

@@ -50,7 +50,7 @@ bool has_sure_sign(const Checked& number) {
 }
 
 /// Whether rounding has changed no comparison of the test. What is proven does not depend on them.
-bool has_sure_verdict(const Surface& surface, const Options& options) {
+bool has_sure_answer(const Surface& surface, const Options& options) {
     if (surface.fate == story::Fate::overflow) return false;
     return is_proven(options.scalar) || std::all_of(surface.steps.begin(), surface.steps.end(), [](const auto& told) {
                const Checked& checked = told.checked;
@@ -104,7 +104,7 @@ std::vector<Question> questions(const Story& story, std::span<const Event> event
     for (std::size_t i = 0; i < events.size(); ++i) {
         const Event& event = events[i];
         if (event.surface && !event.holds) begun = i;
-        if (event.surface && event.holds && begun && has_sure_verdict(story.surfaces[*event.surface], story.options))
+        if (event.surface && event.holds && begun && has_sure_answer(story.surfaces[*event.surface], story.options))
             all.push_back({Asked::hit, *begun, i, *event.holds ? 1.0 : 0.0});
         if (event.place) {
             const Checked& number = step_of(story, event).checked;

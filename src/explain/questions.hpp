@@ -27,11 +27,11 @@ struct Question {
 
 /// Returns all that can be asked of a timeline, in the order of asking: of each surface whether it is met; of each
 /// named number that a comparison with 0 decides by, its sign; of each cancellation, the bits lost. Nothing is asked
-/// whose answer is not sure: what is not finite, a sign that rounding has changed or that is not known, and a verdict
-/// that rests on one.
+/// whose answer is not sure: what is not finite, a sign that rounding has changed or that is not known, and a hit
+/// or miss that rests on one.
 std::vector<Question> questions(const Story& story, std::span<const Event> events);
 
-/// Whether an answer counts as right: the same sign or verdict; of bits, at most 1 too many or too few.
+/// Whether an answer counts as right: the same sign, hit or miss; of bits, at most 1 too many or too few.
 bool is_right(const Question& question, double said);
 
 /// Returns the number for what a reader typed: h or m; +, - or 0; a number of bits. None if it is no such answer.
@@ -43,11 +43,12 @@ using Answers = std::vector<std::optional<double>>;
 /// Returns how many events may be seen once so many questions are answered or skipped: all up to the next question.
 std::size_t events_seen(std::span<const Event> events, std::span<const Question> questions, std::size_t answered);
 
-/// Whether the timeline, as far as it may be seen, shows who is right: a verdict is asked before its test, and seen at
-/// its end.
+/// Whether the timeline, as far as it may be seen, shows who is right: hit or miss is asked before a test, and seen
+/// at its end.
 bool is_settled(const Question& question, std::size_t seen);
 
-/// Returns which of the answers the last one has settled: its own, and verdicts that may be seen now. As they are seen.
+/// Returns which of the answers the last one has settled: its own, and hits or misses that may be seen now. As they are
+/// seen.
 std::vector<std::size_t> just_settled(std::span<const Event> events, std::span<const Question> questions,
                                       const Answers& answers);
 

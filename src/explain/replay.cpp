@@ -8,6 +8,7 @@
 
 #include "numerics/bits_lost.hpp"
 #include "numerics/exact.hpp"
+#include "numerics/graded.hpp"
 
 namespace glassbox {
 
@@ -235,14 +236,6 @@ Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
         default:
             return {value, doubt(holds(step.operation, a, b), step.value != 0)};
     }
-}
-
-/// The bound about the recorded value, which may differ from the bound's own: a float was rounded again, a long double
-/// less, and 0 times infinity is NaN.
-Bounded about(double recorded, const Bounded& bound) {
-    if (bound.value == recorded) return {recorded, std::isnan(bound.error) ? infinity : bound.error};
-    const double error = Bounded::up(bound.error + std::abs(bound.value - recorded));
-    return {recorded, std::isnan(error) ? infinity : error};
 }
 
 /// What a long double adds to the bound about its nearest double.

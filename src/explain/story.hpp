@@ -12,6 +12,7 @@
 #include <vec3.hpp>
 
 #include "explain/replay.hpp"
+#include "render/measure/reference_search.hpp"
 #include "render/options.hpp"
 
 namespace glassbox {
@@ -74,13 +75,17 @@ struct StoryStep {
     Checked checked;
 };
 
+/// Whether what was computed is what is true.
+enum class Mark { right, wrong, unknown };
+
 struct Surface {
     std::size_t number = 0;  ///< among all surfaces
     Kind kind = Kind::sphere;
     Rgb color;
     Fate fate = Fate::refused;
-    std::optional<Number> t;    ///< where the line meets the surface, if it does
-    bool needed_exact = false;  ///< error bounds could not decide whether it is met
+    bool truly_met = false, truly_nearest = false;  ///< by the reference search, if the story has a judgement
+    std::optional<Number> t;                        ///< where the line meets the surface, if it does
+    bool needed_exact = false;                      ///< error bounds could not decide whether it is met
     std::variant<SphereTest, TriangleTest> test;
     std::vector<StoryStep> steps;  ///< of the test by the chosen rule
 };
@@ -118,6 +123,36 @@ struct FirstHit {
     double worst_loss = 0;            ///< how many bits
 };
 
+/// The least sure of the signs that decide what a pixel shows. For a hit: whether its surface is met, and for each
+/// other surface whether it is missed or lies farther; for a miss, whether each surface is missed.
+struct LeastSure {
+    double sureness = 0;  ///< |s| over its guaranteed bound: above 1 the sign is the true one; infinite if s is exact
+    std::size_t surface = 0;
+    std::optional<std::size_t>
+        nearer_than;                  ///< the sign is that of a difference: t of this surface, less that of `surface`
+    std::optional<std::size_t> row;   ///< of `surface` in Story::surfaces
+    std::optional<StepNumber> step;   ///< of that row's steps: the number whose sign it is
+    std::string name;                 ///< what the formula calls the number: "c", "Δ"
+    std::optional<StepNumber> worst;  ///< of the steps that lead to it, the one that lost the most bits itself
+    double worst_loss = 0;            ///< how many bits
+};
+
+/// What a pixel shows, beside the truth: the reference search's, which shares nothing with the search that is judged.
+/// Both are about the doubles of the scene and the ray; colours are not judged.
+struct Judgement {
+    Verdict verdict = Verdict::right;
+    std::optional<std::size_t> shown,
+        truth;                    ///< the nearest surface: as it was found, and truly; none if nothing is met
+    bool shown_is_there = false;  ///< the ray truly meets the surface that is shown
+    bool at_once = false;         ///< both surfaces are truly met at the same t
+    std::size_t wrongly_met = 0, wrongly_missed = 0;  ///< of all surfaces
+    bool by_rule = false;  ///< the verdict is wrong, and the rule, computed without any rounding, says the same
+    std::vector<std::string>
+        turned;               ///< the numbers of the wrongly judged surface that rounding put on another side of 0
+    bool is_weighed = false;  ///< the least sure sign was looked for
+    std::optional<LeastSure> least;  ///< none where there is no surface
+};
+
 }  // namespace story
 
 /// Everything about one pixel.
@@ -132,11 +167,15 @@ struct Story {
     bool border = false;  ///< it is on the border, which is painted over the picture
     Rgb traced;           ///< the ray's colour: differs from `color` only on the border
     Ray<double> ray;
-    std::optional<story::Vector> ray_color;   ///< stage 1: the direction as a colour
-    std::vector<story::StoryStep> ray_steps;  ///< its computation
-    std::size_t tested = 0, met = 0;
-    std::vector<story::Surface> surfaces;  ///< those met, and the nearest misses
-    std::size_t not_listed = 0;            ///< how many more were missed
+    std::optional<story::Vector> ray_color;          ///< stage 1: the direction as a colour
+    std::vector<story::StoryStep> ray_steps;         ///< its computation
+    std::size_t in_all = 0;                          ///< surfaces
+    std::size_t tested = 0;                          ///< of these, on the way to what the ray meets first
+    std::optional<std::size_t> nodes, boxes_missed;  ///< of the engine's hierarchy: visited; their boxes, missed
+    std::size_t met = 0;
+    std::optional<story::Judgement> judgement;  ///< none in stage 1, and for a ray that is not valid
+    std::vector<story::Surface> surfaces;       ///< those met, and the nearest misses
+    std::size_t not_listed = 0;                 ///< how many more were missed
     std::optional<story::FirstHit> hit;
 };
 

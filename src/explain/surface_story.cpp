@@ -184,14 +184,20 @@ bool are_as_near(const engine::Engine& surfaces, const Options& options, const T
 
 }  // namespace
 
-std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel, std::size_t most) {
+std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel,
+                                       std::span<const std::size_t> besides, std::size_t most) {
     std::vector<std::size_t> chosen;
     for (const auto& hit : pixel.met) chosen.push_back(hit.surface);
+    const auto is_chosen = [&](std::size_t number) {
+        return std::find(chosen.begin(), chosen.end(), number) != chosen.end();
+    };
+    for (const std::size_t number : besides)
+        if (!is_chosen(number)) chosen.push_back(number);
     if (chosen.size() < most) {
         // The nearest misses so far, the farthest of them on top.
         std::priority_queue<std::pair<double, std::size_t>> missed;
         surfaces.for_each_surface([&](std::size_t number, const auto& surface) {
-            if (met(pixel, number)) return;
+            if (met(pixel, number) || std::find(besides.begin(), besides.end(), number) != besides.end()) return;
             const std::pair by{surfaces.size() <= most ? 0 : miss(pixel.ray, surface), number};
             if (missed.size() == most - chosen.size()) {
                 if (missed.top() < by) return;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/engine.hpp"
@@ -10,9 +11,10 @@
 
 namespace glassbox {
 
-/// The numbers of the surfaces worth telling: those met, and then those that the ray misses by the least, at most
-/// `most` in all; in the order of their numbers.
-std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel, std::size_t most);
+/// The numbers of the surfaces worth telling: those met, and `besides`; then those that the ray misses by the least, at
+/// most `most` in all; in the order of their numbers.
+std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel,
+                                       std::span<const std::size_t> besides, std::size_t most);
 
 /// The story of one surface; `known` is its test by the chosen rule, where it was recorded already. The caller fills in
 /// its kind and colour.

@@ -8,6 +8,7 @@
 
 #include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 #include "scene/printable.hpp"
@@ -23,6 +24,21 @@ using namespace story;
 std::string bounded(const Number& n) {
     const auto [value, its_bound] = with_bound(n);
     return value + ' ' + its_bound;
+}
+
+constexpr std::size_t most_columns = 100;
+
+std::size_t columns(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
+}
+
+/// The line that all else is about, in two if it is long.
+std::string headline(const Story& story) {
+    std::string line = fmt::format("{} {}\n", sign(mark_of(story)), verdict_line(story));
+    const std::size_t rest = line.find("; ");
+    if (columns(line) > most_columns && rest != std::string::npos) line.replace(rest + 1, 1, "\n  ");
+    return line;
 }
 
 /// Writes lines, each section under its heading.
@@ -48,7 +64,13 @@ void tell_pixel(Page& page, const Story& story) {
     page.line("colour    {}, #{:02x}{:02x}{:02x}", triple(story.color), story.color.red, story.color.green,
               story.color.blue);
     if (story.border) page.line("          the border, painted over what the ray brings: {}", triple(story.traced));
-    page.line("verdict   {}", verdict_phrase(story));
+    page.line("shown     {}", shown_phrase(story));
+    if (story.in_all > 0) page.line("search    {}", counts(story) + (story.nodes ? ", " + boxes(story) : ""));
+    if (story.judgement && story.judgement->least) {
+        const LeastSure& least = *story.judgement->least;
+        const std::string culprit = lost_by(least, story);
+        page.line("margin    {}: {}{}", margin_text(least), whose(least), culprit.empty() ? "" : "; " + culprit);
+    }
     const Options& options = story.options;
     page.line("computed  {}, steps in {}, spheres: {}, triangles: {}, stage {}", name_of(options.scalar),
               name_of(scalar_of_steps(options.scalar)), name_of(options.sphere_rule), written(options.triangle_rule),
@@ -68,19 +90,25 @@ void tell_ray(Page& page, const Story& story) {
 }
 
 void tell_surfaces(Page& page, const Story& story) {
-    page.heading(fmt::format("The surfaces  {} in all, {} met", story.tested, story.met));
-    for (const Surface& surface : story.surfaces)
-        page.line("{:>5}  {:<9}  {}{}", surface.number, word(surface.kind), why(surface, story),
+    page.heading(fmt::format("The surfaces  {} in all, {} met; ✓ as it truly is, ✗ not", story.in_all, story.met));
+    for (const Surface& surface : story.surfaces) {
+        const Mark mark = mark_of(surface, story);
+        page.line("{:>5} {} {:<9}  {}{}", surface.number, sign(mark), word(surface.kind), why(surface, story),
                   surface.needed_exact ? "  (decided in exact arithmetic)" : "");
+        if (mark == Mark::wrong) page.line("{:>18} {}", "", truth_of(surface, story));
+    }
     if (story.not_listed > 0)
         page.line("and {} more, missed by more than these; --json tells the numbers of all that are listed",
                   story.not_listed);
 }
 
 void tell_roots(Page& page, std::string_view rule, const RootPair& roots) {
-    page.line("       {:<9} Δ  = {:<27} {}", rule, bounded(roots.discriminant), sign_and_lost(roots.discriminant));
-    if (roots.t0) page.line("       {:<9} t₀ = {:<27} {}", "", bounded(*roots.t0), lost(*roots.t0));
-    if (roots.t1) page.line("       {:<9} t₁ = {:<27} {}", "", bounded(*roots.t1), lost(*roots.t1));
+    const auto row = [&](std::string_view before, const char* name, const Number& n) {
+        page.line("       {:<9} {} = {:<27} {} {}", before, name, bounded(n), sign(mark_of_sign(n)), sign_and_lost(n));
+    };
+    row(rule, "Δ ", roots.discriminant);
+    if (roots.t0) row("", "t₀", *roots.t0);
+    if (roots.t1) row("", "t₁", *roots.t1);
 }
 
 void tell_test(Page& page, std::size_t number, const SphereTest& test) {
@@ -92,9 +120,12 @@ void tell_test(Page& page, std::size_t number, const SphereTest& test) {
 void tell_test(Page& page, std::size_t number, const TriangleTest& test) {
     const auto& [A, B, C] = test.vertices;
     const auto row = [&](const std::string& before, char vertex, const Vec3<double>& v, char side, const Number& n) {
-        const std::string corner = triple(v), value = bounded(n), truth = sign_and_lost(n);
-        constexpr std::size_t corner_width = 23, value_width = 29, both = 58;  // a line has 100 columns
-        const bool fits = std::max(corner.size(), corner_width) + std::max(value.size(), value_width) <= both;
+        const std::string corner = triple(v), value = bounded(n);
+        const std::string truth = fmt::format("{} {}", sign(mark_of_sign(n)), sign_and_lost(n));
+        constexpr std::size_t corner_width = 23, value_width = 29, others = 19;  // what stands between them
+        const bool fits =
+            std::max(columns(corner), corner_width) + std::max(columns(value), value_width) + columns(truth) + others <=
+            most_columns;
         if (fits) return page.line("{:>5}  {} = {:<23} {} = {:<29} {}", before, vertex, corner, side, value, truth);
         page.line("{:>5}  {} = {}", before, vertex, corner);
         page.line("{:>5}  {} = {:<29} {}", "", side, value, truth);
@@ -141,7 +172,7 @@ void tell_shade(Page& page, const Story& story, const Shade& shade) {
               : cut ? "unit(L + r), L not of length 1 as in the paper's program"
                     : "half way, unit(l + r)");
     const auto cosine = [&](std::string_view name, const Number& n) {
-        page.line("{} = {:<27} {}", name, bounded(n), lost(n));
+        page.line("{} = {:<27} {}, {}", name, bounded(n), degrees(n.value), lost(n));
     };
     cosine("n·l", shade.n_l);
     cosine("n·r", shade.n_r);
@@ -189,13 +220,14 @@ void tell_hit(Page& page, const Story& story, const FirstHit& hit) {
 }  // namespace
 
 std::string to_text(const Story& story) {
-    std::string text = fmt::format("Pixel ({}, {}) of {} × {}, column {} and row {} from the bottom left\n", story.x,
-                                   story.y, story.width, story.height, story.column, story.row);
+    std::string text = headline(story);
+    text += fmt::format("Pixel ({}, {}) of {} × {}, column {} and row {} from the bottom left\n", story.x, story.y,
+                        story.width, story.height, story.column, story.row);
     if (!story.title.empty()) text += "  " + printable(story.title) + '\n';
     Page page;
     tell_pixel(page, story);
     tell_ray(page, story);
-    if (story.tested > 0) tell_surfaces(page, story);
+    if (story.in_all > 0) tell_surfaces(page, story);
     tell_tests(page, story, true, "Spheres  t₀ and t₁: where the line enters and leaves; Δ < 0: it does neither");
     tell_tests(page, story, false,
                "Triangles  side products a, b, c, in length³: a hit where no two have opposite signs");

@@ -133,10 +133,10 @@ private:
         events_.back().surface = row;
         tell_steps(surface.steps, row, [](std::size_t) { return true; });
         const bool met = is_met(surface.fate);
-        std::string verdict =
+        std::string answer =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
-        if (surface.needed_exact) verdict += ", decided in exact arithmetic";
-        add(fmt::format("surface {}: {}", surface.number, verdict), met, rule);
+        if (surface.needed_exact) answer += ", decided in exact arithmetic";
+        add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
     }
 
@@ -153,7 +153,7 @@ private:
 
     void tell_nearest() {
         group_ = "which is nearest";
-        if (story_.not_listed > 0) add(fmt::format("{} more surfaces are tested, and missed", story_.not_listed));
+        if (story_.not_listed > 0) add(fmt::format("{} more surfaces are missed", story_.not_listed));
         constexpr Function by{"/crossing.hpp", "nearest"};
         if (!story_.hit) add("nothing is met: the background", {}, by);
         else

@@ -26,7 +26,7 @@ struct Event {
     std::optional<bool> holds;  ///< of a test: what it says
     bool failed = false;        ///< a comparison, or the test of a surface, that said no
     bool cancellation = false;  ///< a sum or difference that lost bits beyond those of its operands (is_cancellation)
-    std::optional<std::size_t> surface;  ///< in Story::surfaces: whose test begins here, or ends with a verdict
+    std::optional<std::size_t> surface;  ///< in Story::surfaces: whose test begins here, or ends with its answer
     std::optional<StepPlace> place;      ///< if it is a step
     std::optional<StepPlace> serves;     ///< the step that it is done for: the next with a name, or outside vec3.hpp
     std::string left, right;             ///< how a step's operands are written
@@ -34,7 +34,7 @@ struct Event {
 };
 
 /// All events of a pixel's story, in the order in which they happened: the ray; each listed surface's test with its
-/// operations and its verdict; which surface is nearest; the point, the normal, the light, the bytes.
+/// operations and its answer; which surface is nearest; the point, the normal, the light, the bytes.
 ///
 /// No event is listed twice, although the hit's tape begins with the nearest surface's test and computes some parts of
 /// it again.

@@ -18,7 +18,7 @@ namespace glassbox {
 class Lookup {
 public:
     explicit Lookup(const Tape& tape, Detail detail = Detail::whole) : tape_(tape) {
-        if (detail == Detail::whole) checked_ = replay(tape);
+        if (detail != Detail::recorded) checked_ = replay(tape);
     }
 
     template <class Real>

@@ -1,7 +1,9 @@
 #include "explain/traced_pixel.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "render/measure/pixel_numbers.hpp"
 #include "render/search/with_tracer.hpp"
 #include "render/view.hpp"
 
@@ -36,6 +38,21 @@ struct PixelProbe {
     }
 };
 
+/// The plain loop tests every surface; what the engine does, it tells.
+void count_tests(const Scene& scene, const Options& options, const Job& job, TracedPixel& pixel) {
+    const auto [spheres, triangles] = count_surfaces(scene, options.stage);
+    pixel.tested = spheres + triangles;
+    if (!uses_engine(scene, options, false) || !is_valid(pixel.ray)) return;
+    PixelNumbers heard;
+    FastSearch(engine_for(scene, options, job), options.sphere_rule, options.triangle_rule).trace(pixel.ray, heard);
+    pixel.tested = static_cast<std::size_t>(heard.tests);
+    const auto counted = [](double count) {
+        return std::isnan(count) ? std::nullopt : std::optional(static_cast<std::size_t>(count));
+    };
+    pixel.nodes = counted(heard.nodes);
+    pixel.boxes_missed = counted(heard.boxes_missed);
+}
+
 }  // namespace
 
 TracedPixel traced_pixel(const Scene& scene, const Options& options, int x, int y, const Job& job) {
@@ -48,6 +65,7 @@ TracedPixel traced_pixel(const Scene& scene, const Options& options, int x, int 
                                 const auto ray = convert<typename Search::Number>(result.ray);
                                 result.color = tracer.color(ray, x, scene.height - 1 - y, probe);
                             });
+    count_tests(scene, options, job, result);
     std::ranges::sort(result.met, {}, &Hit<long double>::surface);  // the engine finds them in another order
     return result;
 }

@@ -19,8 +19,10 @@ struct TracedPixel {
     Rgb color;
     std::optional<Hit<double>> nearest;
     Vec3<double> normal;
-    std::vector<Hit<long double>> met;      ///< all surfaces met, in the order of their numbers
-    std::vector<std::size_t> needed_exact;  ///< those that error bounds could not decide
+    std::vector<Hit<long double>> met;               ///< all surfaces met, in the order of their numbers
+    std::vector<std::size_t> needed_exact;           ///< those that error bounds could not decide
+    std::size_t tested = 0;                          ///< surfaces, on the way to the nearest, as `measure` counts them
+    std::optional<std::size_t> nodes, boxes_missed;  ///< the same of the engine's hierarchy, where that is used
 };
 
 TracedPixel traced_pixel(const Scene& scene, const Options& options, int x, int y, const Job& job);

@@ -49,7 +49,8 @@ constexpr Parameter of_computing[] = {
      "Triangle rule: when a triangle is hit"},
     {"sphere", Subject::computing, "RULE", "how a sphere's roots are found", 2, false, &Options::sphere_rule,
      "Sphere rule: how its roots are found"},
-    {"engine", Subject::computing, "E", "which surfaces a ray is tested against", 1, false, &Options::engine},
+    {"engine", Subject::computing, "E", "which surfaces a ray is tested against", 1, false, &Options::engine,
+     "Engine: which surfaces a ray is tested against"},
 };
 
 constexpr Parameter row_of(const Coefficient<double>& row) {

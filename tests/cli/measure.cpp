@@ -63,7 +63,7 @@ TEST_CASE("pictures with legends, and EXR") {
 TEST_CASE("every measurement can be asked for, alone and with all others") {
     const Workplace folder;
     const std::string names[] = {"tests", "hits",    "depth",   "normal",   "n.l",          "n.h",
-                                 "n.v",   "ambient", "diffuse", "specular", "discriminant", "side"};
+                                 "n.r",   "ambient", "diffuse", "specular", "discriminant", "side"};
     std::string all;
     for (const std::string& name : names) {
         CHECK(folder.measure(name, "m.csv").status == 0);

@@ -29,11 +29,19 @@ const std::vector<const char*> number_fields{"value", "hex",  "error",     "true
 
 TEST_CASE("all fields, and no others") {
     const Json story = json("levental-2014.toml", 350, 149);
-    check_has(story, {"version",   "command", "title", "size",     "pixel",        "column",  "row",
-                      "verdict",   "surface", "color", "border",   "traced_color", "options", "ray",
-                      "ray_color", "tested",  "met",   "surfaces", "not_listed",   "hit"});
-    CHECK(story["version"] == 1);
-    CHECK(story["verdict"] == "hit");
+    check_has(story, {"version", "command", "title", "size",         "pixel",        "column",    "row",
+                      "line",    "verdict", "truth", "least_sure",   "shown",        "surface",   "color",
+                      "border",  "options", "ray",   "traced_color", "ray_color",    "in_all",    "tested",
+                      "nodes",   "met",     "hit",   "surfaces",     "boxes_missed", "not_listed"});
+    CHECK(story["version"] == 2);
+    CHECK(story["verdict"] == "right");
+    CHECK(story["shown"] == "hit");
+    check_has(story["truth"],
+              {"surface", "shown_is_there", "at_once", "wrongly_met", "wrongly_missed", "by_rule", "turned"});
+    CHECK(story["truth"]["surface"] == 0);
+    check_has(story["least_sure"],
+              {"margin", "proven", "surface", "nearer_than", "name", "row", "step", "worst_step", "worst_bits"});
+    CHECK(story["least_sure"]["proven"] == true);
     CHECK(story["pixel"] == Json{350, 149});
     CHECK(story["color"] == Json{72, 255, 41});
     check_has(story["options"], {"stage", "scalar", "steps_in", "sphere", "triangle"});
@@ -43,13 +51,13 @@ TEST_CASE("all fields, and no others") {
     CHECK(story["ray"]["P_hex"][0] == "0x1.f4p+8");
 
     const Json& sphere = story["surfaces"][0];
-    check_has(sphere,
-              {"surface", "kind", "color", "met", "fate", "decided", "t", "center", "radius", "textbook", "stable"});
+    check_has(sphere, {"surface", "kind", "color", "met", "fate", "truly_met", "truly_nearest", "decided", "t",
+                       "center", "radius", "textbook", "stable"});
     check_has(sphere["stable"], {"discriminant", "t0", "t1"});
     check_has(sphere["stable"]["discriminant"], number_fields);
     const Json& triangle = story["surfaces"][2];
-    check_has(triangle, {"surface", "kind", "color", "met", "fate", "decided", "t", "vertices", "sides", "sum",
-                         "deficit", "tolerance", "tolerance_accepts", "weights"});
+    check_has(triangle, {"surface", "kind", "color", "met", "fate", "truly_met", "truly_nearest", "decided", "t",
+                         "vertices", "sides", "sum", "deficit", "tolerance", "tolerance_accepts", "weights"});
     check_has(triangle["sides"], {"a", "b", "c"});
 
     const Json& hit = story["hit"];
@@ -98,7 +106,9 @@ TEST_CASE("a long double comes back from its hex to the bit") {
 
 TEST_CASE("background and border") {
     const Json story = json("levental-2014.toml", 0, 7);
-    CHECK(story["verdict"] == "miss");
+    CHECK(story["shown"] == "miss");
+    CHECK(story["verdict"] == "right");
+    CHECK(story["truth"]["surface"].is_null());
     CHECK(story["border"] == true);
     CHECK(story["hit"].is_null());
     CHECK(story["surface"].is_null());

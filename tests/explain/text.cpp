@@ -25,21 +25,44 @@ void check_has(const std::string& text, const std::vector<std::string>& parts) {
 
 }  // namespace
 
-// n·l = 4/√18 = 0.942809041…, n·h = 1001/√(1001² + 2·250²) = 0.942913658…: all their digits are printed.
+// n·l = 4/√18 = 0.942809041… = cos 19.47°, n·h = 1001/√(1001² + 2·250²) = 0.942913658…: all their digits are printed.
 TEST_CASE("a sphere's pixel") {
-    check_has(text("levental-2014.toml", 350, 149),
-              {"Pixel (350, 149) of 500 × 500, column 350 and row 350 from the bottom left", "(72, 255, 41), #48ff29",
-               "sphere of colour (0, 255, 0), surface 0, at t = 350", "glassbox explain it", "P = (500, 350, 350)",
-               "0x1.f4p+8", "met, nearest: t = 350", "missed: Δ < 0", "side products of both signs", "textbook",
-               "stable", "Δ  = 2500", "t₁ = 450", "normal = (1, 0, 0)", "n·l = 0.94280904", "n·h = 0.94291365",
-               "(51, 20, 20)", "(0, 240, 0)", "the most was lost by"});
+    check_has(text("levental-2014.toml", 350, 149), {"✓ right, proven, ",
+                                                     " digits to spare: surface 0 is shown, and nearest\nPixel (350, "
+                                                     "149) of 500 × 500, column 350 and row 350 from the bottom left",
+                                                     "(72, 255, 41), #48ff29",
+                                                     "sphere of colour (0, 255, 0), surface 0, at t = 350",
+                                                     "glassbox explain it",
+                                                     "P = (500, 350, 350)",
+                                                     "0x1.f4p+8",
+                                                     "met, nearest: t = 350",
+                                                     "missed: Δ < 0",
+                                                     "side products of both signs",
+                                                     "textbook",
+                                                     "stable",
+                                                     "Δ  = 2500",
+                                                     "t₁ = 450",
+                                                     "normal = (1, 0, 0)",
+                                                     "n·l = 0.94280904",
+                                                     "n·h = 0.94291365",
+                                                     "shown     sphere",
+                                                     "search    6 tested, 1 met",
+                                                     "margin    ",
+                                                     "19.5°",
+                                                     "    0 ✓ sphere",
+                                                     "✓ truly > 0",
+                                                     "(51, 20, 20)",
+                                                     "(0, 240, 0)",
+                                                     "the most was lost by"});
 }
 
 TEST_CASE("a sphere that the paper's program misses") {
     Options options;
     options.sphere_rule = Levental2014{};
     check_has(text("levental-2014.toml", 400, 149, options),
-              {"spheres: levental-2014", "missed: Δ = 0, a touch, no hit by levental-2014", "nothing is met"});
+              {"✗ wrong miss: nothing is shown, and surface 0 is there;\n  so says the rule levental-2014",
+               "    0 ✗ sphere", "wrong: truly met, nearest", "spheres: levental-2014",
+               "missed: Δ = 0, a touch, no hit by levental-2014", "nothing is met"});
     check_has(text("inside.toml", 20, 20, options), {"missed: its nearer root lies behind, t = -"});
 }
 

@@ -71,7 +71,8 @@ TEST_CASE("geometry at the green sphere's middle") {
 TEST_CASE("shading at the green sphere's middle") {
     // n = (1,0,0), l = (4,1,1)/√18, r = (1,0,0); h = (1001,250,250)/|…| as the paper's program has it.
     CHECK_ULPS(value(paper, "n.l", gx, gy), 4 / std::sqrt(18.0), 2);
-    CHECK_ULPS(value(paper, "n.v", gx, gy), 1.0, 0);
+    CHECK_ULPS(value(paper, "n.r", gx, gy), 1.0, 0);
+    CHECK_ULPS(value(paper, "n.v", gx, gy), 1.0, 0);  // its name until now
     const double n_h = 1001 / std::sqrt(1001.0 * 1001 + 2 * 250.0 * 250);
     CHECK_ULPS(value(paper, "n.h", gx, gy), n_h, 2);
     CHECK_ULPS(value(paper, "ambient", gx, gy), 0.2, 0);

@@ -74,7 +74,7 @@ std::string expected(std::string_view what, Has has, const Options& options, Sha
     if (what == "undecided")
         return certified || exact ? ""
                                   : std::string(name_of(options.scalar)) + " proves nothing; certified and exact do";
-    const int stage = is({"n.l", "n.h", "n.v", "ambient", "diffuse", "specular"}) ? 4
+    const int stage = is({"n.l", "n.h", "n.r", "ambient", "diffuse", "specular"}) ? 4
                       : is({"side", "margin", "deficit", "identity"})             ? 3
                                                                                   : 2;
     if (options.stage < stage) return "from stage " + std::to_string(stage);

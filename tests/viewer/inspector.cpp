@@ -110,6 +110,13 @@ bool is_claimed(const std::string& path, const std::string& worst) {
     return path != "/version";
 }
 
+const InspectorPart& titled(const std::vector<InspectorPart>& parts, const std::string& title) {
+    for (const InspectorPart& part : parts)
+        if (part.title == title) return part;
+    FAIL("no part " << title);
+    return parts.front();
+}
+
 void check_same(const Scene& scene, int x, int y, const Options& options = {}) {
     CAPTURE(x);
     CAPTURE(y);
@@ -121,8 +128,8 @@ void check_same(const Scene& scene, int x, int y, const Options& options = {}) {
     const std::string worst = story.hit && story.hit->worst ? "/hit/steps/" + std::to_string(*story.hit->worst) : "";
     int found = 0;
     // Stage 1 knows no surfaces, and has no part for them.
-    if (story.tested == 0)
-        for (const char* count : {"/tested", "/met", "/not_listed"}) shown[count] = "0";
+    if (story.in_all == 0)
+        for (const char* count : {"/in_all", "/tested", "/met", "/not_listed"}) shown[count] = "0";
     for (const auto& entry : json) {
         const auto& path = entry.first;
         const auto& text = entry.second;
@@ -146,7 +153,7 @@ void check_same(const Scene& scene, int x, int y, const Options& options = {}) {
     }
     // A pixel alone has 12 numbers: its place 2 + 2, the picture's size 2, two colours 3 + 3; the ray has 6.
     CHECK(found >= 18);
-    const auto& ray = parts.at(1);
+    const auto& ray = titled(parts, "The ray");
     for (int i = 0; i < 3; ++i) {
         const auto axis = static_cast<std::size_t>(i);
         CHECK(written(ray.rows.at(0).numbers.at(axis), NumberForm::hex) == json.at("/ray/P_hex/" + std::to_string(i)));
@@ -161,13 +168,6 @@ story::Number number(double value, double error, double truth) {
     n.distance = truth > value ? truth - value : value - truth;
     n.sign = truth > 0 ? 1 : truth < 0 ? -1 : 0;
     return n;
-}
-
-const InspectorPart& titled(const std::vector<InspectorPart>& parts, const std::string& title) {
-    for (const InspectorPart& part : parts)
-        if (part.title == title) return part;
-    FAIL("no part " << title);
-    return parts.front();
 }
 
 }  // namespace
@@ -211,19 +211,34 @@ TEST_CASE("the parts stand in the order of explain, and what decides is marked")
         for (const InspectorPart& part : inspector(explain(scene, {}, x, y))) all.push_back(part.title);
         return all;
     };
-    CHECK(titles(350, 149) ==
-          std::vector<std::string>{"The pixel", "The ray", "The surfaces", "The hit", "The light", "The rounding"});
-    CHECK(titles(10, 10) == std::vector<std::string>{"The pixel", "The ray", "The surfaces"});
+    CHECK(titles(350, 149) == std::vector<std::string>{"The pixel", "The truth", "The ray", "The surfaces", "The hit",
+                                                       "The light", "The rounding"});
+    CHECK(titles(10, 10) == std::vector<std::string>{"The pixel", "The truth", "The ray", "The surfaces"});
 
     // Sphere 0 is green, about (100, 350, 350): its middle is in column 350 and row 350, which is y = 499 − 350.
     const std::vector<InspectorPart> parts = inspector(explain(scene, {}, 350, 149));
     const std::vector<InspectorPart>& surfaces = titled(parts, "The surfaces").parts;
     REQUIRE(surfaces.size() == 6);
     for (const InspectorPart& surface : surfaces) {
-        CHECK(surface.passed == (surface.title == "sphere 0"));
+        CHECK(surface.mark == story::Mark::right);
         CHECK(surface.open == (surface.title == "sphere 0"));
     }
     CHECK(surfaces[0].color == Rgb{0, 255, 0});
+}
+
+// Pixel (399, 0) looks far beside the triangle, which the tolerance takes for hit.
+TEST_CASE("a wrong hit has no mark that says right") {
+    Options options;
+    options.triangle_rule = Tolerance{};
+    const Scene scene = read_scene(SCENES "/tolerance-tiny.toml");
+    const std::vector<InspectorPart> parts = inspector(explain(scene, options, 399, 0));
+    CHECK(titled(parts, "The truth").mark == story::Mark::wrong);
+    CHECK(titled(parts, "The truth").note == "wrong hit");
+    const InspectorPart& triangle = titled(parts, "The surfaces").parts.at(0);
+    CHECK(triangle.mark == story::Mark::wrong);
+    CHECK(triangle.note.ends_with("; wrong: truly missed"));
+    for (const InspectorRow& row : triangle.rows)
+        if (row.label == "it says") CHECK(row.mark == story::Mark::wrong);
 }
 
 TEST_CASE("numbers are written short, in full and in hex") {

@@ -84,7 +84,7 @@ std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options option
         PixelNumbers& numbers = numbers_of(probe);
         if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
-        if (count_hits) numbers.hits = reference->hits(ray);
+        if (count_hits) numbers.hits = static_cast<double>(reference->hits(ray).met.size());
         if (needs.truth) reference->compare(ray, options.scalar, numbers);
         const std::size_t pixel = index_of({x, y}, scene.width);
         for (std::size_t m = 0; m < wanted.size(); ++m) {

@@ -70,8 +70,8 @@ constexpr Measurement all[] = {
             number("n.h", "", "n·h, the cosine of the angle between normal and half vector", diverging,
                    Source::half_vector, read<&P::n_h>)),
     between(-1, 1,
-            number("n.v", "", "n·r, the cosine of the angle between normal and viewer", diverging, Source::light,
-                   read<&P::n_v>)),
+            number("n.r", "", "n·r, the cosine of the angle between normal and viewer", diverging, Source::light,
+                   read<&P::n_r>)),
     number("ambient", "", "k_a, the ambient term before its colour", sequential, Source::light, read<&P::ambient>),
     number("diffuse", "", "I k_d max(0, n·l), the diffuse term before its colour", sequential, Source::light,
            read<&P::diffuse>),
@@ -115,6 +115,7 @@ constexpr Measurement all[] = {
 std::span<const Measurement> measurements() { return all; }
 
 const Measurement* find_measurement(std::string_view name) {
+    if (name == "n.v") name = "n.r";  // its name up to version 0.2
     const auto* const found =
         std::find_if(std::begin(all), std::end(all), [&](const Measurement& m) { return m.name == name; });
     return found == std::end(all) ? nullptr : found;

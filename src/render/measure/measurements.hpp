@@ -58,7 +58,7 @@ struct Measurement {
 /// All measurements, in the order in which they are listed.
 std::span<const Measurement> measurements();
 
-/// The measurement of that name, or null.
+/// The measurement of that name, or null. `n.r` is also found by the name that it once had, `n.v`.
 const Measurement* find_measurement(std::string_view name);
 
 }  // namespace glassbox

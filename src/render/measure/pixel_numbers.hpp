@@ -24,7 +24,7 @@ struct PixelNumbers {
     double hits = 0;      ///< surfaces met
     double t = no_value;  ///< of the nearest
     std::array<double, 3> normal{no_value, no_value, no_value};
-    double n_l = no_value, n_h = no_value, n_v = no_value;
+    double n_l = no_value, n_h = no_value, n_r = no_value;
     double ambient = no_value, diffuse = no_value, specular = no_value;
     double discriminant = no_value;  ///< the largest of all tested spheres'
     bool sphere_tested = false;      ///< at least one
@@ -74,7 +74,7 @@ struct PixelNumbers {
 
     template <class Real>
     void operator()(told::NormalViewer, const Real& value) {
-        n_v = static_cast<double>(value);
+        n_r = static_cast<double>(value);
     }
 
     template <class Real>

@@ -1,5 +1,7 @@
 #include "render/measure/reference_search.hpp"
 
+#include <algorithm>
+
 #include <bounded.hpp>
 
 #include "engine/kernels.hpp"
@@ -19,6 +21,8 @@ const Pluecker& rule_for(const Triangle<double>&) {
     return rule;
 }
 
+int in_order(const TrueT& a, const TrueT& b) { return compare(a, b); }
+
 /// Tests one ray's surfaces, one after the other.
 class ExhaustiveSearch {
 public:
@@ -35,7 +39,7 @@ public:
                 t = exact_crossing(ray_, shape, rule_for(shape));
                 if (!t) return;
             }
-            ++hits_;
+            met_.push_back(surface);
             // Where bounds left open whether it is met, they left open which root counts, too.
             const Met met{surface, t ? t->to_bounded() : crossing.t, t};
             if (!nearest_ || is_before(met, *nearest_)) nearest_ = met;
@@ -48,7 +52,7 @@ public:
         std::optional<TrueT> exact;
     };
 
-    std::size_t hits() const { return hits_; }
+    const std::vector<std::size_t>& met() const { return met_; }
     const std::optional<Met>& nearest() const { return nearest_; }
 
     TrueT exact_t(const Met& met) const {
@@ -70,7 +74,7 @@ private:
     const Ray<double>& ray_;
     Ray<Bounded> bounded_;
     std::optional<Met> nearest_;
-    std::size_t hits_ = 0;
+    std::vector<std::size_t> met_;
 };
 
 /// How many bits a t found in that scalar has lost.
@@ -81,43 +85,63 @@ double lost(long double t, const Exact& truth, Scalar scalar) {
 }
 
 /// `ray` must be valid, and outlive the result.
-ExhaustiveSearch true_hits(const engine::Engine& engine, const Ray<double>& ray) {
+ExhaustiveSearch searched(const ReferenceSearch& reference, const engine::Engine& engine, const Ray<double>& ray) {
     ExhaustiveSearch search(engine, ray);
-    const bool has_few = engine.size() <= ReferenceSearch::few;
-    const std::optional<engine::BoxRay> boxes = has_few ? std::nullopt : engine::box_ray(ray, engine);
-    if (!boxes) {
-        for (std::size_t surface = 0; surface < engine.size(); ++surface) search.ask(surface);
-        return search;
-    }
-    for (const std::uint32_t surface : engine.loose()) search.ask(surface);
-    const engine::Hierarchy& hierarchy = engine.hierarchy();
-    const auto ask_leaf = [&](std::uint32_t leaf, float t_max) {
-        const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
-        const auto [first, count] = leaves[engine::Child::index(leaf)];
-        for (std::uint32_t i = first; i < first + count; ++i) search.ask(hierarchy.surfaces[i]);
-        return t_max;  // on to the end: all hits are wanted
-    };
-    engine::traverse(hierarchy, *boxes, std::numeric_limits<float>::infinity(), ask_leaf);
+    reference.for_each_tested(ray, [&](std::size_t surface) { search.ask(surface); });
     return search;
 }
 
 }  // namespace
 
-double ReferenceSearch::hits(const Ray<double>& ray) const {
-    return is_valid(ray) ? static_cast<double>(true_hits(*engine_, ray).hits()) : 0;
+Verdict verdict(const std::optional<std::size_t>& found, const std::optional<std::size_t>& truth) {
+    if (found == truth) return Verdict::right;
+    if (!truth) return Verdict::wrong_hit;
+    return found ? Verdict::wrong_surface : Verdict::wrong_miss;
+}
+
+bool TrueHits::has(std::size_t surface) const { return std::binary_search(met.begin(), met.end(), surface); }
+
+void ReferenceSearch::for_each_tested(const Ray<double>& ray, engine::FunctionRef<void(std::size_t)> ask) const {
+    const std::optional<engine::BoxRay> boxes = engine_->size() <= few ? std::nullopt : engine::box_ray(ray, *engine_);
+    if (!boxes) {
+        for (std::size_t surface = 0; surface < engine_->size(); ++surface) ask(surface);
+        return;
+    }
+    for (const std::uint32_t surface : engine_->loose()) ask(surface);
+    const engine::Hierarchy& hierarchy = engine_->hierarchy();
+    const auto ask_leaf = [&](std::uint32_t leaf, float t_max) {
+        const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
+        const auto [first, count] = leaves[engine::Child::index(leaf)];
+        for (std::uint32_t i = first; i < first + count; ++i) ask(hierarchy.surfaces[i]);
+        return t_max;  // on to the end: all hits are wanted
+    };
+    engine::traverse(hierarchy, *boxes, std::numeric_limits<float>::infinity(), ask_leaf);
+}
+
+TrueHits ReferenceSearch::hits(const Ray<double>& ray) const {
+    if (!is_valid(ray)) return {};
+    const ExhaustiveSearch search = searched(*this, *engine_, ray);
+    TrueHits result{search.met(), {}};
+    std::sort(result.met.begin(), result.met.end());
+    if (search.nearest()) result.nearest = search.nearest()->surface;
+    return result;
+}
+
+int ReferenceSearch::order(const Ray<double>& ray, std::size_t one, std::size_t other) const {
+    const auto t = [&](std::size_t surface) {
+        return engine_->with_surface(surface,
+                                     [&](const auto& shape) { return *exact_crossing(ray, shape, rule_for(shape)); });
+    };
+    return in_order(t(one), t(other));
 }
 
 void ReferenceSearch::compare(const Ray<double>& ray, Scalar scalar, PixelNumbers& numbers) const {
-    constexpr double right = 0, wrong_hit = 1, wrong_miss = 2, wrong_surface = 3;
     if (!is_valid(ray)) return;
-    const ExhaustiveSearch search = true_hits(*engine_, ray);
+    const ExhaustiveSearch search = searched(*this, *engine_, ray);
     const auto& nearest = search.nearest();
-    numbers.verdict = !nearest && !numbers.surface           ? right
-                      : !nearest                             ? wrong_hit
-                      : !numbers.surface                     ? wrong_miss
-                      : *numbers.surface == nearest->surface ? right
-                                                             : wrong_surface;
-    if (nearest && numbers.verdict == right)
+    const Verdict found = verdict(numbers.surface, nearest ? std::optional(nearest->surface) : std::nullopt);
+    numbers.verdict = static_cast<double>(found);
+    if (nearest && found == Verdict::right)
         numbers.bits_lost = lost(numbers.found_t, search.exact_t(*nearest).exact(), scalar);
 }
 

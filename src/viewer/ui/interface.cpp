@@ -163,9 +163,12 @@ void Interface::lay_out(const Frame& frame) {
     state_.side_width -= divider("##side", {bar, body.y}, true) / body.x;
     ImGui::SameLine();
     ImGui::PopStyleVar();
-    places.page = from_here({right, body.y});
-    places.truth = places.page;
+    const Area side = from_here({right, body.y});
     begin_part("side", {right, body.y});
+    draw_truth(frame);
+    const float pages_top = ImGui::GetCursorScreenPos().y;
+    places.truth = {side.from, {side.to.x, pages_top}};
+    places.page = {{side.from.x, pages_top}, side.to};
     draw_pages(frame);
     ImGui::EndChild();
 

@@ -27,6 +27,7 @@ struct Frame {
 void draw_toolbar(const Frame& frame);
 void draw_picture(const Frame& frame);     ///< the picture with all that lies on it
 void draw_space(const Frame& frame);       ///< the scene in space
+void draw_truth(const Frame& frame);       ///< whether the pinned pixel is right, and the three tiles
 void draw_inspector(const Frame& frame);   ///< the pinned pixel's story
 void draw_steps(const Frame& frame);       ///< its timeline, and the source
 void draw_overlay(const Frame& frame);     ///< which measurement, its legend and histogram, what stands beside

@@ -9,6 +9,7 @@
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/truth.hpp"
 
 namespace glassbox {
 
@@ -197,6 +198,13 @@ constexpr KeyBinding bindings[] = {
     {named(Key::page_down, true), "Ctrl+PgDn", "go farther away", "Space", come_closer<-1>},
     {named(Key::home, true), "Ctrl+Home", "look at it as at first", "Space",
      [](State& s, const Results&, const KeyPress&) { s.orbit = Orbit{}; }},
+
+    {character('q'), "q", "to the search: how many surfaces were tested and met, and the overlay tests", "Truth",
+     [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::search); }},
+    {character('l'), "l", "to the light: n·l, and its overlay", "Truth",
+     [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::cosines); }},
+    {character('e'), "e", "to the least sure sign, and the overlay margin", "Truth",
+     [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::margin); }},
 
     {named(Key::space), "Space", "play the pinned pixel's steps, or pause", "Steps", play},
     {character(']'), "]", "a step forward", "Steps", step<StepTo::forward>},

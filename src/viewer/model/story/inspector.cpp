@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 #include "scene/shading_models.hpp"
@@ -74,6 +74,7 @@ InspectorRow row(std::string label, const std::string& path, Rgb color, std::str
 InspectorRow barred(std::string label, const std::string& path, const Number& number, bool with_sign = true) {
     InspectorRow result = row(std::move(label), path, number, with_sign ? sign_and_lost(number) : lost(number));
     result.with_bar = true;
+    if (with_sign) result.mark = mark_of_sign(number);
     return result;
 }
 
@@ -84,9 +85,7 @@ InspectorPart pixel_part(const Story& story) {
     const Options& options = story.options;
     pixel.rows.push_back(row("colour", "/color", story.color,
                              fmt::format("#{:02x}{:02x}{:02x}", story.color.red, story.color.green, story.color.blue)));
-    InspectorRow verdict = row("verdict", Numbers{}, verdict_phrase(story));
-    if (options.stage > 1) verdict.passed = story.hit.has_value();
-    pixel.rows.push_back(std::move(verdict));
+    pixel.rows.push_back(row("shown", Numbers{}, shown_phrase(story)));
     pixel.rows.push_back(row("pixel", counts("/pixel", {1.0 * story.x, 1.0 * story.y}), "from the top left"));
     pixel.rows.push_back(
         row("column, row", {count("/column", story.column), count("/row", story.row)}, "from the bottom left"));
@@ -96,6 +95,41 @@ InspectorPart pixel_part(const Story& story) {
                                          name_of(scalar_of_steps(options.scalar)), name_of(options.sphere_rule),
                                          written(options.triangle_rule))));
     return pixel;
+}
+
+Numbers counts_of(std::initializer_list<std::pair<const char*, std::optional<std::size_t>>> known) {
+    Numbers numbers;
+    for (const auto& [path, value] : known)
+        if (value) numbers.push_back(count(path, static_cast<double>(*value)));
+    return numbers;
+}
+
+InspectorPart truth_part(const Story& story) {
+    InspectorPart truth = part("The truth", story.judgement ? std::string(word(story.judgement->verdict)) : "");
+    truth.mark = mark_of(story);
+    truth.rows.push_back(row("verdict", Numbers{}, verdict_line(story)));
+    truth.rows.back().mark = mark_of(story);
+    if (!story.judgement) return truth;
+    const Judgement& judgement = *story.judgement;
+    truth.rows.push_back(row("truly nearest", counts_of({{"/truth/surface", judgement.truth}}),
+                             judgement.truth ? "by a search that shares nothing with this one" : "nothing is there"));
+    truth.rows.push_back(row(
+        "wrongly",
+        counts_of({{"/truth/wrongly_met", judgement.wrongly_met}, {"/truth/wrongly_missed", judgement.wrongly_missed}}),
+        "met, and missed, of all surfaces"));
+    if (!judgement.least) return truth;
+    const LeastSure& least = *judgement.least;
+    truth.rows.push_back(row("margin", {plain("/least_sure/margin", margin(least))},
+                             fmt::format("{}; log10 of |it| over its bound", whose(least))));
+    truth.rows.push_back(row(
+        "surface", counts_of({{"/least_sure/surface", least.surface}, {"/least_sure/nearer_than", least.nearer_than}}),
+        least.nearer_than ? "whose t are compared" : "whose number it is"));
+    truth.rows.push_back(row("its step", counts_of({{"/least_sure/row", least.row}, {"/least_sure/step", least.step}}),
+                             "row, and step of it"));
+    Numbers loss = counts_of({{"/least_sure/worst_step", least.worst}});
+    loss.push_back(plain("/least_sure/worst_bits", least.worst_loss));
+    truth.rows.push_back(row("lost", std::move(loss), lost_by(least, story)));
+    return truth;
 }
 
 InspectorPart ray_part(const Story& story) {
@@ -110,11 +144,11 @@ InspectorPart ray_part(const Story& story) {
 
 void add_roots(InspectorPart& part, const std::string& path, const char* rule, const RootPair& roots) {
     part.rows.push_back(barred(fmt::format("Δ {}", rule), path + "/discriminant", roots.discriminant));
-    if (roots.t0) part.rows.push_back(barred(fmt::format("t₀ {}", rule), path + "/t0", *roots.t0, false));
-    if (roots.t1) part.rows.push_back(barred(fmt::format("t₁ {}", rule), path + "/t1", *roots.t1, false));
+    if (roots.t0) part.rows.push_back(barred(fmt::format("t₀ {}", rule), path + "/t0", *roots.t0));
+    if (roots.t1) part.rows.push_back(barred(fmt::format("t₁ {}", rule), path + "/t1", *roots.t1));
 }
 
-void add_test(InspectorPart& part, const std::string& path, const SphereTest& test) {
+void add_test(InspectorPart& part, const std::string& path, const Surface&, const SphereTest& test) {
     part.drawing = Diagram::sphere;
     add_roots(part, path + "/textbook", "textbook", test.textbook);
     add_roots(part, path + "/stable", "stable", test.stable);
@@ -130,7 +164,7 @@ void add_weights(InspectorPart& part, const std::string& path, const TriangleTes
     part.rows.push_back(row("weight of C", path + "/weights/C", c, "c over the sum"));
 }
 
-void add_test(InspectorPart& part, const std::string& path, const TriangleTest& test) {
+void add_test(InspectorPart& part, const std::string& path, const Surface& surface, const TriangleTest& test) {
     part.drawing = Diagram::triangle;
     part.rows.push_back(barred("a", path + "/sides/a", test.a));
     part.rows.push_back(barred("b", path + "/sides/b", test.b));
@@ -143,7 +177,7 @@ void add_test(InspectorPart& part, const std::string& path, const TriangleTest& 
             fmt::format("{}: the difference is {}", test.accepted ? "hit" : "miss", tolerance_phrase(test)));
     if (test.sum.value == 0) says.note = "miss: a+b+c is 0";
     else if (test.accepted != (test.deficit.value < test.tolerance)) says.note += ", but it lies behind the start";
-    says.passed = test.accepted;
+    says.mark = test.accepted == surface.truly_met ? Mark::right : Mark::wrong;
     part.rows.push_back(std::move(says));
     add_weights(part, path, test);
     const auto& [A, B, C] = test.vertices;
@@ -160,19 +194,25 @@ InspectorPart surface_part(const Story& story, std::size_t i) {
     InspectorPart result = part(fmt::format("{} {}", word(surface.kind), surface.number), why(surface, story));
     if (surface.needed_exact) result.note += "; decided in exact arithmetic";
     result.number = count(path + "/surface", static_cast<double>(surface.number));
-    result.passed = is_met(surface.fate);
+    result.mark = mark_of(surface, story);
+    result.note += "; " + truth_of(surface, story);
     result.color = surface.color;
     result.open = surface.fate == Fate::nearest;
     result.surface = i;
-    std::visit([&](const auto& test) { add_test(result, path, test); }, surface.test);
+    std::visit([&](const auto& test) { add_test(result, path, surface, test); }, surface.test);
     if (surface.t) result.rows.push_back(row("t", path + "/t", *surface.t));
     result.rows.push_back(row("colour", path + "/color", surface.color));
     return result;
 }
 
 InspectorPart surfaces_part(const Story& story) {
-    InspectorPart surfaces = part("The surfaces", fmt::format("{} in all, {} met", story.tested, story.met));
-    surfaces.rows.push_back(row("in all", {count("/tested", static_cast<double>(story.tested))}));
+    InspectorPart surfaces = part("The surfaces", counts(story));
+    surfaces.rows.push_back(row("in all", {count("/in_all", static_cast<double>(story.in_all))}));
+    surfaces.rows.push_back(
+        row("tested", {count("/tested", static_cast<double>(story.tested))}, "on the way to what the ray meets first"));
+    if (story.nodes)
+        surfaces.rows.push_back(
+            row("boxes", counts_of({{"/nodes", story.nodes}, {"/boxes_missed", story.boxes_missed}}), boxes(story)));
     surfaces.rows.push_back(row("met", {count("/met", static_cast<double>(story.met))}));
     surfaces.rows.push_back(row("not listed", {count("/not_listed", static_cast<double>(story.not_listed))},
                                 story.not_listed > 0 ? "missed by more than these" : ""));
@@ -220,7 +260,7 @@ InspectorPart light_part(const Story& story, const Shade& shade) {
     light.drawing = Diagram::angles;
     const auto cosine = [&](const char* label, const char* name, const Number& number) {
         InspectorRow result = barred(label, path + name, number, false);
-        result.note = fmt::format("cos {:.4g}°, {}", angle(number.value), result.note);
+        result.note = fmt::format("{}, {}", degrees(number.value), result.note);
         light.rows.push_back(std::move(result));
     };
     cosine("n·l", "/n_l", shade.n_l);
@@ -271,8 +311,8 @@ InspectorPart rounding_part(const Story& story, const FirstHit& hit) {
 }  // namespace
 
 std::vector<InspectorPart> inspector(const Story& story) {
-    std::vector<InspectorPart> parts{pixel_part(story), ray_part(story)};
-    if (story.tested > 0) parts.push_back(surfaces_part(story));
+    std::vector<InspectorPart> parts{pixel_part(story), truth_part(story), ray_part(story)};
+    if (story.in_all > 0) parts.push_back(surfaces_part(story));
     if (!story.hit) return parts;
     parts.push_back(hit_part(story, *story.hit));
     if (story.hit->shade) parts.push_back(light_part(story, *story.hit->shade));
@@ -323,8 +363,6 @@ std::vector<NumberFact> facts(const InspectedNumber& number) {
         {path + "/known", "the truth is known", std::string(word(n.known))},
     };
 }
-
-double angle(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
 int digits_of_steps(const Options& options) {
     return with_scalar_of_steps(options.scalar,

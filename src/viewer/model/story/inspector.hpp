@@ -23,9 +23,9 @@ struct InspectorRow {
     std::string label;  ///< no two rows of a part have the same
     std::vector<InspectedNumber> numbers;
     std::string note;
-    std::optional<bool> passed = {};  ///< of a test
-    std::optional<Rgb> color = {};    ///< what the numbers are
-    bool with_bar = false;            ///< drawn with its error bar
+    std::optional<story::Mark> mark = {};  ///< whether what was computed is true
+    std::optional<Rgb> color = {};         ///< what the numbers are
+    bool with_bar = false;                 ///< drawn with its error bar
 };
 
 /// What is drawn above a part's rows.
@@ -43,7 +43,7 @@ enum class Diagram {
 struct InspectorPart {
     std::string title;                           ///< no two parts at one place have the same
     std::string note;                            ///< beside the title, in words
-    std::optional<bool> passed = {};             ///< of a test
+    std::optional<story::Mark> mark = {};        ///< whether what was computed is true
     std::optional<InspectedNumber> number = {};  ///< that the title names
     std::optional<Rgb> color = {};
     bool open = true;  ///< at first
@@ -69,9 +69,6 @@ struct NumberFact {
     std::string name, text;
 };
 std::vector<NumberFact> facts(const InspectedNumber& number);
-
-/// Returns the angle that belongs to a dot product of unit vectors, in degrees; rounding may have carried it beyond ±1.
-double angle(double cosine);
 
 /// Returns how many bits the scalar of a story's steps has.
 int digits_of_steps(const Options& options);

@@ -28,11 +28,19 @@ struct ExplainPixel {
         return Request{picture_request(state), *pixel, state.file};
     }
     static void perform(const Request& request, const Run& run, const auto& deliver) {
-        const auto& [seen, pixel, file] = request;
-        Story story = explain(applied(*seen.scene, seen.setup), seen.setup.options, pixel.x, pixel.y, Detail::whole,
-                              background_job(seen, run));
-        story.command = explain_command(file, *seen.scene, seen.setup, pixel);
-        deliver(std::make_shared<const Story>(std::move(story)));
+        const PictureRequest& seen = request.seen;
+        const Job job = background_job(seen, run);
+        const Scene scene = applied(*seen.scene, seen.setup);
+        const Options& options = seen.setup.options;
+        const auto tell = [&](Detail detail) {
+            Story story = explain(scene, options, request.pixel.x, request.pixel.y, detail, job);
+            story.command = explain_command(request.file, *seen.scene, seen.setup, request.pixel);
+            deliver(std::make_shared<const Story>(std::move(story)));
+        };
+        // How sure a plain scalar is takes a test of every surface: with so many, that is seen to come later.
+        constexpr std::size_t many = 50'000;
+        if (!is_proven(options.scalar) && job.engine->size() > many) tell(Detail::judged);
+        tell(Detail::whole);
     }
     static void tidy(const ViewerState& state, Results& results, bool) {
         if (state.*Pinned) return;

@@ -6,6 +6,7 @@
 #include "explain/json.hpp"
 #include "explain/phrases.hpp"
 #include "explain/text.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "viewer/model/story/inspector.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 #include "viewer/ui/inspector/rows.hpp"
@@ -116,7 +117,7 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
     const Palette& palette = told.frame.palette;
     const InspectorPart& any = part.first ? *part.first : *part.second;
     if (!told.comparing()) {
-        if (any.passed) draw_mark(palette, *any.passed);
+        if (any.mark) draw_mark(palette, *any.mark);
         if (any.color) draw_swatch(palette, *any.color);
         draw_wrapped(palette.text, any.title + (any.note.empty() ? "" : ": " + any.note));
         return;
@@ -133,7 +134,7 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
             draw_wrapped(palette.faint_text, "not listed");
             continue;
         }
-        if (one->passed) draw_mark(palette, *one->passed);
+        if (one->mark) draw_mark(palette, *one->mark);
         draw_wrapped(palette.text, one->note);
     }
     ImGui::EndGroup();
@@ -170,8 +171,9 @@ void draw_section(const Told& told, const Pair<InspectorPart>& part) {
     ImGui::Spacing();
 }
 
-/// A large swatch and its description.
+/// A large swatch and its description. The verdict on the only pixel stands above the pages.
 void draw_title(const Story& story, const Palette& palette, ImU32 color, const char* digit) {
+    const bool of_two = *digit != '\0';
     const float side = 2.2f * ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
@@ -181,8 +183,8 @@ void draw_title(const Story& story, const Palette& palette, ImU32 color, const c
     ImGui::SameLine();
     ImGui::BeginGroup();
     draw_wrapped(color, fmt::format("{}Pixel ({}, {})", digit, story.x, story.y));
-    if (story.options.stage > 1) draw_mark(palette, story.hit.has_value());
-    draw_wrapped(palette.text, verdict_phrase(story));
+    draw_mark(palette, mark_of(story));
+    draw_wrapped(palette.text, (of_two ? verdict_line(story) + "; " : "") + shown_phrase(story));
     ImGui::EndGroup();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "explain/verdict_phrases.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
 
@@ -51,7 +52,7 @@ bool same(const InspectedNumber& a, const InspectedNumber& b) {
 }
 
 bool same(const InspectorRow& a, const InspectorRow& b) {
-    return a.note == b.note && a.passed == b.passed &&
+    return a.note == b.note && a.mark == b.mark &&
            std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), b.numbers.end(),
                       [](const auto& x, const auto& y) { return same(x, y); });
 }
@@ -60,6 +61,9 @@ ImU32 color_of(const Palette& palette, const std::string& label) {
     if (label == "a") return palette.a;
     if (label == "b") return palette.b;
     if (label == "c") return palette.c;
+    if (label == "n·l") return palette.n_l;
+    if (label == "n·r") return palette.n_r;
+    if (label == "n·h" || label == "r·m") return palette.n_h;
     return palette.faint_text;
 }
 
@@ -73,7 +77,7 @@ void draw_value(const Frame& frame, const InspectorRow& row, bool different) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("differs from the first pixel's");
         ImGui::SameLine(0, ImGui::GetFontSize() * .3f);
     }
-    if (row.passed) draw_mark(palette, *row.passed);
+    if (row.mark) draw_mark(palette, *row.mark);
     if (row.color) draw_swatch(palette, *row.color);
     ImGui::BeginGroup();
     Flow flow;
@@ -118,9 +122,10 @@ float label_width(std::span<const Pair<InspectorRow>> rows) {
 
 }  // namespace
 
-void draw_mark(const Palette& palette, bool passed) {
-    ImGui::PushStyleColor(ImGuiCol_Text, passed ? palette.passed : palette.failed);
-    ImGui::TextUnformatted(passed ? "✓" : "✗");
+void draw_mark(const Palette& palette, story::Mark mark) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color_of(palette, mark));
+    const std::string_view its_sign = sign(mark);
+    ImGui::TextUnformatted(its_sign.data(), its_sign.data() + its_sign.size());
     ImGui::PopStyleColor();
     ImGui::SameLine(0, ImGui::GetFontSize() * .3f);
 }

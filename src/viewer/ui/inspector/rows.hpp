@@ -28,8 +28,8 @@ std::vector<Pair<T>> paired(std::span<const T> first, std::span<const T> second,
     return pairs;
 }
 
-/// Draws "✓ " or "✗ ", and leaves the cursor after it on the same line.
-void draw_mark(const Palette& palette, bool passed);
+/// Draws "✓ ", "✗ " or "? ", and leaves the cursor after it on the same line.
+void draw_mark(const Palette& palette, story::Mark mark);
 
 /// Draws a small square of a colour, and leaves the cursor after it on the same line.
 void draw_swatch(const Palette& palette, Rgb color);

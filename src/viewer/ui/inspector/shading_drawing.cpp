@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "explain/phrases.hpp"
 #include "viewer/model/story/inspector.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 
@@ -33,8 +34,7 @@ void draw_fan(const Canvas& canvas, const Fan& fan, ImVec2 low, float width, flo
         for (float x = low.x + unit * .4f; x < low.x + width - unit * .6f; x += unit * .5f)
             canvas.line({x + unit * .3f, foot.y}, {x, foot.y + unit * .3f}, palette.line);
     }
-    const double degrees = angle(fan.cosine);
-    const float turn = static_cast<float>(degrees * std::numbers::pi / 180);
+    const float turn = static_cast<float>(angle(fan.cosine) * std::numbers::pi / 180);
     const ImVec2 tip{foot.x + arm * std::sin(turn), foot.y - arm * std::cos(turn)};
     const float quarter = std::numbers::pi_v<float> / 2;
     canvas.list().PathArcTo(foot, arm * .45f, -quarter, turn - quarter, 32);
@@ -45,9 +45,8 @@ void draw_fan(const Canvas& canvas, const Fan& fan, ImVec2 low, float width, flo
     canvas.text({tip.x + unit * .2f, tip.y - (behind ? 0 : unit * .1f)}, {0, behind ? 0.f : 1.f}, fan.color, fan.other);
     const float words = low.y + height - 2.5f * unit;
     canvas.text({low.x + unit * .2f, words}, {0, 0}, palette.text,
-                std::isfinite(fan.cosine) ? fmt::format("{} {:.1f}°", fan.product, degrees)
-                                          : fmt::format("{}: no number", fan.product));
-    const bool clipped = behind && fan.color != palette.accent;  // n·r only says which side is seen
+                fmt::format("{} {}", fan.product, degrees(fan.cosine)));
+    const bool clipped = behind && fan.color != palette.n_r;  // n·r only says which side is seen
     canvas.text({low.x + unit * .2f, words + unit * 1.15f}, {0, 0}, behind ? palette.failed : palette.faint_text,
                 clipped ? "< 0: counts as 0" : fmt::format("cos {:.4f}", fan.cosine));
 }
@@ -57,10 +56,10 @@ void draw_fan(const Canvas& canvas, const Fan& fan, ImVec2 low, float width, flo
 void draw_angles(const Frame& frame, const Shade& shade, float width) {
     const bool phong = shade.model == ShadingModel::phong;
     const Palette& palette = frame.palette;
-    const std::array<Fan, 3> fans{Fan{"n·l", "n", "l", shade.n_l.value, palette.warning, true},
-                                  Fan{"n·r", "n", "r", shade.n_r.value, palette.accent, true},
-                                  Fan{phong ? "r·m" : "n·h", phong ? "r" : "n", phong ? "m" : "h",
-                                      shade.highlight.value, palette.second, !phong}};
+    const std::array<Fan, 3> fans{
+        Fan{"n·l", "n", "l", shade.n_l.value, palette.n_l, true},
+        Fan{"n·r", "n", "r", shade.n_r.value, palette.n_r, true},
+        Fan{phong ? "r·m" : "n·h", phong ? "r" : "n", phong ? "m" : "h", shade.highlight.value, palette.n_h, !phong}};
     const float unit = ImGui::GetFontSize();
     const int in_a_row = std::clamp(static_cast<int>(width / (8 * unit)), 1, 3);
     const float wide = std::min(width / static_cast<float>(in_a_row), 12 * unit), high = 9 * unit;

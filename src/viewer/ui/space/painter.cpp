@@ -264,9 +264,9 @@ ImU32 color_of(const Palette& palette, Ink ink) {
         case Ink::second:
             return palette.second;
         case Ink::light:
-            return palette.warning;
+            return palette.n_l;
         case Ink::half_vector:
-            return palette.passed;
+            return palette.n_h;
         case Ink::a:
             return palette.a;
         case Ink::b:

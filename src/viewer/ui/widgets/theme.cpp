@@ -21,6 +21,9 @@ constexpr Palette on_dark{
     .a = IM_COL32(86, 180, 233, 255),
     .b = IM_COL32(230, 159, 0, 255),
     .c = IM_COL32(230, 150, 198, 255),
+    .n_l = IM_COL32(240, 200, 60, 255),
+    .n_r = IM_COL32(86, 180, 233, 255),
+    .n_h = IM_COL32(190, 155, 255, 255),
     .box = IM_COL32(230, 159, 0, 255),
 };
 constexpr Palette on_light{
@@ -36,6 +39,9 @@ constexpr Palette on_light{
     .a = IM_COL32(0, 82, 145, 255),
     .b = IM_COL32(120, 76, 0, 255),
     .c = IM_COL32(145, 45, 110, 255),
+    .n_l = IM_COL32(115, 80, 0, 255),
+    .n_r = IM_COL32(0, 82, 145, 255),
+    .n_h = IM_COL32(95, 45, 165, 255),
     .box = IM_COL32(120, 76, 0, 255),
 };
 
@@ -89,6 +95,10 @@ void set_grounds(ImGuiStyle& style, const Grounds& grounds) {
 }
 
 }  // namespace
+
+ImU32 color_of(const Palette& palette, story::Mark mark) {
+    return mark == story::Mark::right ? palette.passed : mark == story::Mark::wrong ? palette.failed : palette.warning;
+}
 
 Palette apply_theme(const Appearance& appearance, float text_size) {
     ImGuiStyle style;
