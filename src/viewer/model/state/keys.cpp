@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -36,6 +37,11 @@ void move_pin(State& state, const Results&, const KeyPress& press) {
     pin(state,
         Pixel{std::clamp(x + by * dx, 0, state.scene->width - 1), std::clamp(y + by * dy, 0, state.scene->height - 1)});
     if (!state.fit) state.view = showing(state.view, *state.pinned, state.area);
+}
+
+template <bool forward>
+void worst_pixel(State& state, const Results& results, const KeyPress&) {
+    pin_next_worst(state, results, forward);
 }
 
 void unpin(State& state, const Results&, const KeyPress&) {
@@ -115,6 +121,8 @@ constexpr KeyBinding bindings[] = {
     {named(Key::right), "→", "", "Picture", move_pin<1, 0>},
     {named(Key::up), "↑", "", "Picture", move_pin<0, -1>},
     {named(Key::down), "↓", "", "Picture", move_pin<0, 1>},
+    {character('.'), ".", "to the next worst pixel of the overlay", "Picture", worst_pixel<true>},
+    {character(','), ",", "and the one before", "Picture", worst_pixel<false>},
     {named(Key::escape), "Esc", "take away the second pin, then the first", "Picture", unpin},
 
     {character('d'), "d", "turn the view 10° counter-clockwise about z", "View", turn<Axis::z, 10>},
