@@ -11,6 +11,7 @@
 #include "output/output_file.hpp"
 #include "render/render.hpp"
 #include "render/typed.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 
@@ -79,11 +80,12 @@ void add_measure(CLI::App& program, Session& session) {
             "what to measure; several separated by commas")
         ->type_name("NAME[,NAME...]")
         ->required();
+    const std::vector<std::string_view> known = names(spacings);
     command
         ->add_option_function<std::string>(
             "--scale", [request](const std::string& typed) { request->spacing = chosen("--scale", typed, spacings); },
             fmt::format("of the heat maps' colours: {} (default: the measurement's own)",
-                        fmt::join(names(spacings), ", ")))
+                        either({known.begin(), known.end()})))
         ->type_name("SCALE");
     add_file(*command, "-o,--out", "OUT.png|.ppm|.csv|.exr", "heat maps with legends, or the numbers", request->out)
         ->required();

@@ -60,6 +60,7 @@ std::vector<ColorWord> color_words(const Measurement& what, const Channel& chann
     if (what.alarm == Alarm::below_0)
         add(std::ranges::count_if(channel.values, [](double v) { return v < 0 && std::isfinite(v); }),
             coloring(std::max(-1.0, coloring.low)), "below 0: not decided");
+    if (what.scale == Scale::direction) return {{no_value_color, "no value", summary.missing}};
     const auto [low, high] = coloring.limits();
     const auto [below, above] = outside(channel, coloring);
     add(below, coloring(std::nextafter(low, -infinity)), "below " + legend_number(low));

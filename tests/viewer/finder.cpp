@@ -115,10 +115,11 @@ TEST_CASE("what was measured of something else, or coarsely, is not what is laid
     CHECK(laid_over(laid.state, laid.results));
     CHECK(wholly_laid_over(laid.state, laid.results));
     laid.state.overlay.measurement = "depth";
-    CHECK_FALSE(laid_over(laid.state, laid.results));
+    CHECK_FALSE(last_laid_over(laid.state, laid.results));
     laid.state.overlay.measurement = "margin";
     laid.state.setup.change(turned(laid.state.setup.now(), Axis::z, 10));
     CHECK_FALSE(laid_over(laid.state, laid.results));
+    CHECK(last_laid_over(laid.state, laid.results));  // its colours stay until there are others; its numbers do not
     laid.state.setup.undo();
     MeasuredChannels coarse = *laid.results.overlay;
     coarse.factor = 8;

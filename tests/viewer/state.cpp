@@ -143,12 +143,10 @@ TEST_CASE("a scene that says with what it fails is set up so at a click, and und
     CHECK(state.setup.now() == setup_of(*state.scene));
     CHECK(can_show_failing(state));
 
-    // A choice that was made stays, and so does an overlay.
-    state.overlay.measurement = "margin";
+    // A choice that was made stays.
     state.setup.change(turned(state.setup.now(), Axis::z, 10));
     show_failing(state);
     CHECK(state.setup.now().options.turns.size() == 1);
-    CHECK(state.overlay.measurement == "margin");
 
     write(file, small);
     CHECK_FALSE(can_show_failing(opened(file)));

@@ -53,7 +53,8 @@ Distribution distribution(const Measurement& what, const Channel& channel, const
     if (what.scale == Scale::direction) coloring.blocks = false;  // its colours blend into each other
     Histogram bins = histogram(channel, summary, coloring, most_bins);
     std::vector<ColorWord> words = color_words(what, channel, summary, coloring);
-    return {summary, std::move(coloring), std::move(bins), std::move(words)};
+    const Outside beyond = outside(channel, coloring);
+    return {summary, std::move(coloring), beyond, std::move(bins), std::move(words)};
 }
 
 std::pair<double, double> values_of(const Histogram& histogram, std::size_t first, std::size_t last) {

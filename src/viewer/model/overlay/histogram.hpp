@@ -33,6 +33,7 @@ Histogram histogram(const Channel& channel, const Summary& summary, const Colori
 struct Distribution {
     Summary summary;
     Coloring coloring;
+    Outside outside;
     Histogram histogram;
     std::vector<ColorWord> words;  ///< the colours that stand beside the bar
 };

@@ -5,11 +5,15 @@
 
 namespace glassbox {
 
-const MeasuredChannels* laid_over(const ViewerState& state, const Results& results) {
+const MeasuredChannels* last_laid_over(const ViewerState& state, const Results& results) {
     const MeasuredChannels* const overlay = results.overlay.get();
-    const bool same = overlay && overlay->what->name == state.overlay.measurement && overlay->scene == state.scene &&
-                      overlay->setup == state.setup.now();
+    const bool same = overlay && overlay->what->name == state.overlay.measurement && overlay->scene == state.scene;
     return same ? overlay : nullptr;
+}
+
+const MeasuredChannels* laid_over(const ViewerState& state, const Results& results) {
+    const MeasuredChannels* const overlay = last_laid_over(state, results);
+    return overlay && overlay->setup == state.setup.now() ? overlay : nullptr;
 }
 
 const MeasuredChannels* wholly_laid_over(const ViewerState& state, const Results& results) {

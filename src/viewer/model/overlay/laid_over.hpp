@@ -8,6 +8,10 @@
 
 namespace glassbox {
 
+/// The chosen measurement of this scene, as long as nothing newer is there: perhaps of another setup, or coarse. Null
+/// while there is none.
+const MeasuredChannels* last_laid_over(const ViewerState& state, const Results& results);
+
 /// What is measured of what the state shows, perhaps coarsely; null while there is none, or only what was measured of
 /// something else.
 const MeasuredChannels* laid_over(const ViewerState& state, const Results& results);

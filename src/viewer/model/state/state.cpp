@@ -63,7 +63,7 @@ bool can_show_failing(const ViewerState& state) {
 void show_failing(ViewerState& state) {
     if (!can_show_failing(state)) return;
     state.setup.change(*failing_setup(*state.scene, state.setup.now()));
-    if (state.overlay.measurement.empty()) state.overlay.measurement = "verdict";
+    state.overlay.measurement = "verdict";
 }
 
 void reload(ViewerState& state) {

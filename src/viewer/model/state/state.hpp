@@ -159,7 +159,7 @@ ViewerState opened(const std::filesystem::path& file);
 void list_scenes(SceneMenu& menu);
 
 /// Sets up what the scene's file says makes its numbers fail, if it says so, as a change that can be undone; and lays
-/// `verdict` over the picture if nothing is.
+/// `verdict` over the picture.
 void show_failing(ViewerState& state);
 
 /// Whether the file says so, and it is not set up already.

@@ -98,8 +98,9 @@ void frame_bin(ImDrawList& list, const Plot& plot, std::size_t bin, ImU32 color,
     list.AddRect({plot.x(from) - 1, plot.corner.y}, {plot.x(to) + 1, plot.corner.y + plot.height}, color, 0, 0, thick);
 }
 
-/// Lights up the bins that are brushed, and that of the pixel under the mouse.
-void draw_lit(ImDrawList& list, const Plot& plot, const std::optional<double>& hovered) {
+/// Lights up the bins that are brushed, and those of the pinned pixel and of the one under the mouse.
+void draw_lit(ImDrawList& list, const Plot& plot, const std::optional<double>& pinned,
+              const std::optional<double>& hovered) {
     const Histogram& histogram = plot.histogram();
     const Brush* const brush = plot.axis < 0 ? brush_of(plot.frame.state.overlay) : nullptr;
     if (brush && !histogram.bins.empty()) {
@@ -114,8 +115,12 @@ void draw_lit(ImDrawList& list, const Plot& plot, const std::optional<double>& h
             list.AddRect({left, plot.corner.y}, {right, end}, plot.frame.palette.text, 0, 0, 2);
         }
     }
-    if (!hovered) return;
-    if (const auto bin = histogram.bin_of(*hovered)) frame_bin(list, plot, *bin, plot.frame.palette.warning, 3);
+    const auto light = [&](const std::optional<double>& value, ImU32 color) {
+        const auto bin = value ? histogram.bin_of(*value) : std::nullopt;
+        if (bin) frame_bin(list, plot, *bin, color, 2);
+    };
+    light(pinned, plot.frame.palette.accent);
+    light(hovered, plot.frame.palette.warning);
 }
 
 void draw_bar(ImDrawList& list, const Plot& plot, const Measurement& what) {
@@ -270,11 +275,9 @@ void say_brush(const Frame& frame, const Measurement& what) {
     Overlay& overlay = frame.state.overlay;
     const Brush* const brush = brush_of(overlay);
     if (!brush) return faint(frame, "Click a bin, or drag over several: their pixels light up in the picture.");
-    const Channel& channel = frame.results.overlay->channels.front();
-    const auto count = std::ranges::count_if(channel.values, [&](double v) { return is_brushed(*brush, v); });
     std::string text = value_in_words(what, brush->from);
     if (brush->to != brush->from) text = legend_number(brush->from) + " to " + value_in_words(what, brush->to, 4);
-    ImGui::TextWrapped("lit up: %s: %s", text.c_str(), pixels(count).c_str());
+    ImGui::TextWrapped("lit up: %s: %s", text.c_str(), pixels(frame.pictures.brushed()).c_str());
     if (what.words.empty() && brush->from < brush->to && ImGui::Button("Give all colours to these"))
         overlay.range = {brush->from, brush->to};
     if (what.words.empty() && brush->from < brush->to) flow("Light up nothing");
@@ -316,7 +319,7 @@ void draw_histogram(const Frame& frame, int axis) {
     list.AddRectFilled(plot.corner, {plot.corner.x + width, plot.corner.y + height}, frame.palette.canvas);
     draw_counts(list, plot, counts);
     draw_bins(list, plot);
-    draw_lit(list, plot, value_at(frame, axis, frame.state.hovered));
+    draw_lit(list, plot, value_at(frame, axis, frame.state.pinned), value_at(frame, axis, frame.state.hovered));
     draw_bar(list, plot, what);
     if (what.words.empty()) draw_ticks(list, plot);
     else draw_words(list, plot, what);

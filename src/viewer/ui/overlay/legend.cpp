@@ -62,11 +62,9 @@ void counts(const Frame& frame, const Measurement& what, const Distribution& of)
     if (of.summary.missing > 0)
         faint(frame,
               "Nothing was measured there. What came out as NaN counts as no value, too: the two look the same.");
-    if (what.scale != Scale::direction) return;
-    std::int64_t outside = 0;
-    for (const Bin& bin : of.histogram.bins) outside -= bin.count;
-    for (const double value : frame.results.overlay->channels.front().values) outside += std::isfinite(value);
-    if (outside > 0) ImGui::TextWrapped("beyond −1 or 1, shown as if there: %s", pixels(outside).c_str());
+    const std::int64_t outside = of.outside.below + of.outside.above;
+    if (what.scale == Scale::direction && outside > 0)
+        ImGui::TextWrapped("beyond −1 or 1, shown as if there: %s", pixels(outside).c_str());
 }
 
 /// A number field that applies each change as it is typed. Returns whether the number has changed.
@@ -176,7 +174,7 @@ void draw_legend(const Frame& frame) {
     ViewerState& state = frame.state;
     opacity(state);
     ImGui::Checkbox("Legend on the picture", &state.overlay.legend_shown);
-    const MeasuredChannels* const measured = laid_over(state, frame.results);
+    const MeasuredChannels* const measured = last_laid_over(state, frame.results);
     const std::vector<Distribution>& distributions = frame.pictures.distributions();
     if (!measured || distributions.empty()) return faint(frame, "… being measured");
     const Measurement& what = *measured->what;

@@ -73,8 +73,7 @@ void draw_layers(const Canvas& canvas) {
     if (difference && results.other.image) draw_texture(canvas, pictures.difference(), tint);
     if (state.beside == Beside::nothing || state.beside == Beside::overlay) {
         const auto alpha = static_cast<int>(std::lround(255 * std::clamp(state.overlay.opacity, 0.0, 1.0)));
-        if (results.overlay && results.overlay->what->name == state.overlay.measurement)
-            draw_texture(canvas, pictures.overlay(), IM_COL32(255, 255, 255, alpha));
+        if (last_laid_over(state, results)) draw_texture(canvas, pictures.overlay(), IM_COL32(255, 255, 255, alpha));
     }
     canvas.list.PopClipRect();
 }

@@ -85,12 +85,15 @@ private:
 /// "margin in log10", "coarse: 1/8 of the pixels a side so far".
 void fill(Card& card, const Frame& frame, float close_button, float least_room) {
     const ViewerState& state = frame.state;
-    const MeasuredChannels* const overlay = laid_over(state, frame.results);
+    const MeasuredChannels* const overlay = last_laid_over(state, frame.results);
     const Measurement& what = *find_measurement(state.overlay.measurement);
     const std::string unit = what.unit.empty() ? "" : fmt::format(" in {}", what.unit);
-    card.text(std::string(what.name) + unit, frame.palette.accent, close_button);
-    if (!overlay) return card.text("… being measured", frame.palette.warning);
+    const bool is_old = overlay && !laid_over(state, frame.results);
+    card.text(std::string(what.name) + unit + (is_old ? " …" : ""), frame.palette.accent, close_button);
+    if (!overlay || frame.pictures.distributions().empty()) return card.text("… being measured", frame.palette.warning);
     if (overlay->factor > 1) card.text(fmt::format("… coarse: 1/{}", overlay->factor), frame.palette.warning);
+    if (const std::string& why = overlay->channels.front().why_no_value; !why.empty())
+        return card.text(fmt::format("no pixel has a value ({})", why), frame.palette.warning);
     const Distribution& of = frame.pictures.distributions().front();
     if (what.scale == Scale::direction) {
         card.text("x red, y green, z blue, from −1, dark, to 1", frame.palette.text);
@@ -141,9 +144,9 @@ void draw_picture_legend(const Frame& frame, ImVec2 corner, ImVec2 size) {
     Card card(frame, {from.x + pad, from.y + pad}, width, font, true);
     fill(card, frame, button, most);
     ImGui::SetCursorScreenPos({from.x + pad / 2, from.y + pad});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-    if (ImGui::Button("×##hide", {button - pad / 2, font})) state.overlay.legend_shown = false;
-    ImGui::PopStyleVar();
+    if (ImGui::InvisibleButton("hide", {button, button})) state.overlay.legend_shown = false;
+    const ImU32 color = ImGui::IsItemHovered() ? frame.palette.accent : frame.palette.text;
+    list.AddText(ImGui::GetFont(), font, {from.x + pad, from.y + pad}, color, "×");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Hide the legend; the page Overlay brings it back");
 }
 

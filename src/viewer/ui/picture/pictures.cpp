@@ -96,9 +96,12 @@ void Pictures::update_overlay(const ViewerState& state, const Results& results) 
         for (const Channel& channel : overlay.channels)
             distributions_.push_back(distribution(*overlay.what, channel, look.range, look.spacing));
     }
-    if (recolor || other_marks)
-        overlay_.fill(overlay_colors_.width, overlay_colors_.height,
-                      marked(overlay_colors_, overlay, state.overlay, side));
+    if (!recolor && !other_marks) return;
+    overlay_.fill(overlay_colors_.width, overlay_colors_.height, marked(overlay_colors_, overlay, state.overlay, side));
+    const Brush* const brush = brush_of(state.overlay);
+    brushed_ = !brush ? 0 : std::ranges::count_if(overlay.channels.front().values, [&](double value) {
+        return is_brushed(*brush, value);
+    });
 }
 
 void Pictures::update(const ViewerState& state, const Results& results) {

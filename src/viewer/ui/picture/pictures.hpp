@@ -24,6 +24,9 @@ public:
     /// What the overlay's colours stand for, one for each plane; empty while nothing is measured.
     const std::vector<Distribution>& distributions() const { return distributions_; }
 
+    /// How many pixels of the overlay are brushed.
+    std::int64_t brushed() const { return brushed_; }
+
     /// How much the final pictures differ; none until both are there.
     struct Differing {
         std::int64_t pixels;
@@ -52,6 +55,7 @@ private:
     Look look_;
     Marks marks_;
     Image overlay_colors_{0, 0};
+    std::int64_t brushed_ = 0;
 
     void update_overlay(const ViewerState& state, const Results& results);
     std::optional<std::size_t> watched_;  ///< pixels, while the tracing is watched
