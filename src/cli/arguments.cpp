@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "render/failing.hpp"
 #include "render/parameters.hpp"
 #include "render/typed.hpp"
 #include "render/view.hpp"
@@ -114,6 +115,7 @@ Scene load(const Request& request) {
     Scene scene = read_scene(scene_path(request.scene));
     if (request.size) scene = resized(std::move(scene), request.size->first, request.size->second);
     Setup setup = setup_of(scene);
+    failing_setup(scene, setup);  // so that whoever writes a scene hears of a mistake in it, whatever reads it
     for (const Parameter* parameter : request.typed) setup = taken_over(std::move(setup), *parameter, request.setup);
     return applied(std::move(scene), setup);
 }

@@ -11,6 +11,7 @@
 #include "output/output_file.hpp"
 #include "render/render.hpp"
 #include "render/typed.hpp"
+#include "scene/suggestion.hpp"
 
 namespace glassbox {
 
@@ -18,6 +19,7 @@ namespace {
 
 struct MeasureRequest : Request {
     std::vector<const Measurement*> wanted;
+    SetSpacing spacing;
     std::string out;
 };
 
@@ -59,7 +61,8 @@ void run(const CLI::App& command, const MeasureRequest& request, Session& sessio
                        {request.threads, session.interrupt.token(), &progress.done()});
     }();
     std::vector<Measured> measured;
-    for (std::size_t i = 0; i < channels.size(); ++i) measured.push_back({request.wanted[i], channels[i]});
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        measured.push_back({request.wanted[i], channels[i], request.spacing});
     note(command, "no value at any pixel", without_value(measured));
     write_measurements(request.out, measured, session.interrupt.token());
 }
@@ -77,6 +80,13 @@ void add_measure(CLI::App& program, Session& session) {
             "what to measure; several separated by commas")
         ->type_name("NAME[,NAME...]")
         ->required();
+    const std::vector<std::string_view> known = names(spacings);
+    command
+        ->add_option_function<std::string>(
+            "--scale", [request](const std::string& typed) { request->spacing = chosen("--scale", typed, spacings); },
+            fmt::format("of the heat maps' colours: {} (default: the measurement's own)",
+                        either({known.begin(), known.end()})))
+        ->type_name("SCALE");
     add_file(*command, "-o,--out", "OUT.png|.ppm|.csv|.exr", "heat maps with legends, or the numbers", request->out)
         ->required();
     command->footer(list());

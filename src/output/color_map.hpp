@@ -30,10 +30,28 @@ ColorMap sequential_colors();
 /// From dark blue (0) through near-white (0.5) to dark orange (1): lightness depends on the distance from 0.5 only.
 ColorMap diverging_colors();
 
+/// From dark blue-grey, where it is safe, through grey to bright yellow: the colours of danger. Lightness rises from
+/// 0.3 to 0.95, with a step at `alarm`, from where on all is bright.
+ColorMap danger_colors(double alarm = 1);
+
+/// The darkest of these at position 0, and the brighter half of them from there on.
+ColorMap alarm_colors();
+
+/// Colours for a few words, the first at position 0, the last at 1: dark for what is right, and orange, light blue and
+/// yellow, which people with any colour vision can tell apart (Okabe and Ito).
+ColorMap word_colors(std::size_t words);
+
 /// A direction's components as colour channels: -1 becomes 0, 1 becomes 255.
 Rgb direction_color(double x, double y, double z);
 
-/// The colour for no value: nearly black, darker than either map and than any direction.
+/// The colour for no value: nearly black, darker than any map and than any direction.
 inline constexpr Rgb no_value_color{20, 20, 20};
+
+// For values outside a set range, and for infinite ones: purples, which no map has, each of another lightness.
+inline constexpr Rgb below_color{96, 0, 110}, above_color{255, 70, 225};
+inline constexpr Rgb minus_infinity_color{160, 20, 255}, infinity_color{255, 195, 255};
+
+// Among the colours of danger: −∞ is the worst, so the brightest; ∞ is as safe as can be, a calm blue.
+inline constexpr Rgb danger_minus_infinity_color{255, 255, 255}, danger_infinity_color{60, 130, 235};
 
 }  // namespace glassbox

@@ -89,6 +89,8 @@ Image heat_map(std::span<const Measured> measured) {
         const int x = margin + i % columns * (width + margin);
         const int y = margin + i / columns * (height + margin);
         paste(image, panel.title, x, y);
+        // A frame, for what is as white as the paper.
+        fill(image, x - 1, y + above + gap - 1, panel.picture.width + 2, panel.picture.height + 2, soft_ink);
         paste(image, panel.picture, x, y + above + gap);
         paste(image, panel.legend, x, y + above + gap + middle + gap);
     }

@@ -12,6 +12,7 @@
 #include "output/coloring.hpp"
 #include "output/legend_bar.hpp"
 #include "output/legend_number.hpp"
+#include "output/value_words.hpp"
 
 namespace glassbox {
 namespace {
@@ -50,19 +51,22 @@ void draw_bar(Column& column, const Coloring& coloring, const Summary& summary) 
     }
 }
 
-void add_no_value(Column& column, std::int64_t missing) {
-    column.grow(column.size / 3);
-    column.swatch(no_value_color, missing == 0 ? "no value" : "no value: " + pixels(missing));
+/// "wrong hit: 5 pixels"; a colour that no pixel has is named alone.
+void add_swatch(Column& column, const ColorWord& word) {
+    column.swatch(word.color, word.pixels == 0 ? word.text : word.text + ": " + pixels(word.pixels));
 }
 
 Column scale_legend(const Measured& measured, int width, int size) {
     const Channel& channel = measured.channels.front();
-    const Summary summary = summarized(channel);
-    const Coloring coloring = coloring_of(*measured.what, summary);
-    const std::string_view unit = measured.what->unit;
+    const Measurement& what = *measured.what;
+    const Summary summary = summarized(channel, spacing_of(what, measured.spacing));
+    const Coloring coloring = coloring_of(what, summary, {}, measured.spacing);
+    const std::string_view unit = what.unit;
 
     Column column(width, size);
-    if (summary.any_finite()) {
+    if (!what.words.empty()) {
+        // Each word has a swatch.
+    } else if (summary.any_finite()) {
         const int digits = digits_between(summary.least, summary.greatest);
         const std::string least = with_unit(legend_number(summary.least, digits), unit);
         if (summary.least == summary.greatest) column.paragraph("least and greatest " + least, {size, ink});
@@ -72,17 +76,10 @@ Column scale_legend(const Measured& measured, int width, int size) {
     } else {
         column.paragraph("no pixel has a finite value", {size, ink});
     }
-    if (summary.any_finite() || measured.what->range) draw_bar(column, coloring, summary);
-    add_no_value(column, summary.missing);
-
-    const auto [below, above] = outside(channel, coloring);
-    const auto add = [&](std::int64_t number, Rgb color, const std::string& what) {
-        if (number > 0) column.swatch(color, what + ": " + pixels(number));
-    };
-    add(below, coloring.map(0), "below " + legend_number(coloring.low));
-    add(above, coloring.map(1), "above " + legend_number(coloring.high));
-    add(summary.negative_infinite, coloring.map(0), "−∞");
-    add(summary.positive_infinite, coloring.map(1), "∞");
+    if (what.words.empty() && (summary.any_finite() || what.range)) draw_bar(column, coloring, summary);
+    if (coloring.spacing != Spacing::linear) column.paragraph(spacing_in_words(coloring.spacing), {size, soft_ink});
+    column.grow(size / 3);
+    for (const ColorWord& word : color_words(what, channel, summary, coloring)) add_swatch(column, word);
     return column;
 }
 
@@ -116,7 +113,8 @@ Column direction_legend(const Measured& measured, int width, int size) {
         if (std::isnan(x) || std::isnan(y) || std::isnan(z)) ++missing;
         else if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > 1) ++outside;
     }
-    add_no_value(column, missing);
+    column.grow(size / 3);
+    add_swatch(column, {no_value_color, "no value", missing});
     if (outside > 0)
         column.paragraph(fmt::format("beyond −1 or 1, shown as if there: {}", pixels(outside)), {size, ink});
     return column;

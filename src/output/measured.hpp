@@ -11,6 +11,7 @@ namespace glassbox {
 struct Measured {
     const Measurement* what;
     std::span<const Channel> channels;
+    SetSpacing spacing = {};  ///< of its colours; without it the measurement's own
 };
 
 /// The channels of all, in order.

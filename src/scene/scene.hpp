@@ -10,6 +10,7 @@
 #include <shading.hpp>
 #include <vec3.hpp>
 
+#include "scene/error.hpp"
 #include "scene/shared.hpp"
 
 namespace glassbox {
@@ -49,6 +50,12 @@ struct Mesh {
     std::string file = {};  ///< that it was read from; empty: none
 };
 
+/// An option of the command line, without its dashes, with which the scene's numbers fail.
+struct FailingOption {
+    std::string name, value;
+    Place place;
+};
+
 /// The content of a scene file. Surfaces are numbered: spheres first, then triangles, then mesh faces, each in file
 /// order. Colours range from 0 to 255.
 struct Scene {
@@ -70,6 +77,8 @@ struct Scene {
     std::vector<ColoredSphere> spheres;
     std::vector<ColoredTriangle> triangles;
     std::vector<Shared<Mesh>> meshes;
+
+    std::vector<FailingOption> failing;  ///< none: nothing is said to fail
 };
 
 /// The largest picture allowed: pixels on a side, and pixels in all.

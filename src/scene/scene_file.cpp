@@ -136,13 +136,22 @@ Mesh read_mesh(const Section& mesh, const std::filesystem::path& folder) {
     return read_obj(path, mesh.get("color", color, light_grey));
 }
 
+std::vector<FailingOption> read_failing(const Section& failing) {
+    const std::vector<std::string_view> options{"scalar", "triangle", "sphere", "turn", "accumulated"};
+    failing.expect_keys(options);
+    std::vector<FailingOption> read;
+    for (const std::string_view option : options)
+        if (const auto value = failing.find(option)) read.push_back({std::string(option), text(*value), place(*value)});
+    return read;
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
     const std::string file = path.string();
     const toml::table document = parse_toml(read_lines(path), file, "a scene");
     const Section top(document, "the scene", file);
-    top.expect_keys({"title", "image", "view", "light", "shading", "sphere", "triangle", "mesh"});
+    top.expect_keys({"title", "image", "view", "light", "shading", "sphere", "triangle", "mesh", "failing"});
 
     Scene scene;
     scene.title = top.get("title", text, scene.title);
@@ -173,6 +182,7 @@ Scene read_scene(const std::filesystem::path& path) {
     for (const Section& sphere : top.sections("sphere")) scene.spheres.push_back(read_sphere(sphere));
     for (const Section& triangle : top.sections("triangle")) scene.triangles.push_back(read_triangle(triangle));
     for (const Section& mesh : top.sections("mesh")) scene.meshes.push_back(read_mesh(mesh, path.parent_path()));
+    scene.failing = read_failing(top.section("failing"));
     return scene;
 }
 

@@ -82,6 +82,29 @@ TEST_CASE("sequential: from dark blue to bright yellow, lighter all the way") {
     for (const Rgb& color : colors) CHECK(std::hypot(to_oklab(color).a, to_oklab(color).b) > 0.08);  // never near grey
 }
 
+TEST_CASE("danger: from dark to bright, lighter all the way, for colour-blind readers, too") {
+    for (const Matrix* matrix : {static_cast<const Matrix*>(nullptr), &protanopia, &deuteranopia}) {
+        std::vector<Rgb> colors = samples(danger_colors());
+        if (matrix)
+            for (Rgb& color : colors) color = seen_with(*matrix, color);
+        for (std::size_t i = 1; i < colors.size(); ++i)
+            CHECK(to_oklab(colors[i]).lightness > to_oklab(colors[i - 1]).lightness);
+        CHECK(to_oklab(colors.front()).lightness < 0.35);
+        CHECK(to_oklab(colors.back()).lightness > 0.9);
+        for (const Rgb color : {no_value_color, danger_infinity_color, danger_minus_infinity_color})
+            CHECK(distance_from(colors, matrix ? seen_with(*matrix, color) : color) > 0.09);
+    }
+}
+
+TEST_CASE("words are told apart by colour-blind readers, and what is right is far darker") {
+    for (const Matrix* matrix : {&protanopia, &deuteranopia}) {
+        std::vector<Rgb> colors;
+        for (int i = 0; i < 4; ++i) colors.push_back(seen_with(*matrix, word_colors(4)(i / 3.0)));
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < i; ++j) CHECK(difference(to_oklab(colors[i]), to_oklab(colors[j])) > 0.1);
+    }
+}
+
 TEST_CASE("diverging: as dark on either side, lightest in the middle") {
     const std::vector<Rgb> colors = samples(diverging_colors());
     CHECK(colors.front().blue > colors.front().red);

@@ -10,6 +10,7 @@
 
 #include "output/color_map.hpp"
 #include "output/coloring.hpp"
+#include "output/oklab.hpp"
 
 using namespace glassbox;
 
@@ -73,14 +74,112 @@ TEST_CASE("diverging: 0 is in the middle, and both sides have the same scale") {
 
 TEST_CASE("a fixed range holds, and what lies outside gets the end's colour") {
     const ColorMap map = sequential_colors();
-    CHECK(colors(sequential_fixed, row({-3, 0.25, 9, infinity, -infinity})) ==
-          std::vector<Rgb>{map(0), map(0.25), map(1), map(1), map(0)});
+    CHECK(colors(sequential_fixed, row({-3, 0.25, 9})) == std::vector<Rgb>{map(0), map(0.25), map(1)});
 }
 
-TEST_CASE("infinite values do not stretch the scale") {
+TEST_CASE("infinite values do not stretch the scale, and have colours of their own") {
     const ColorMap map = sequential_colors();
     CHECK(colors(sequential, row({1, 2, 3, infinity, -infinity})) ==
-          std::vector<Rgb>{map(0), map(0.5), map(1), map(1), map(0)});
+          std::vector<Rgb>{map(0), map(0.5), map(1), infinity_color, minus_infinity_color});
+}
+
+TEST_CASE("danger: the worst values are bright, whichever end they are at, and −∞ is the brightest") {
+    // From -4 to 16: 1 is a quarter of the way up, so three quarters up the map, whose bright end is the low one.
+    Measurement margin{"value", "", "", Scale::danger, Source::hit, std::pair{-4.0, 16.0}, one, {}};
+    margin.worst = Worst::least;
+    const ColorMap map = danger_colors();
+    CHECK(colors(margin, row({-4, 1, 16, -9, 99, -infinity, infinity})) ==
+          std::vector<Rgb>{map(1), map(0.75), map(0), map(1), map(0), danger_minus_infinity_color,
+                           danger_infinity_color});
+    margin.worst = Worst::greatest;
+    CHECK(colors(margin, row({-4, 1, 16})) == std::vector<Rgb>{map(0), map(0.25), map(1)});
+}
+
+TEST_CASE("danger: where a value raises an alarm the colours step up") {
+    const auto lightness = [](double value) {
+        return to_oklab(colors(*find_measurement("margin"), row({value}))[0]).lightness;
+    };
+    CHECK(lightness(-0.2) > lightness(0.2) + 0.1);
+    for (double value = -4; value < 16; value += 0.5) CHECK(lightness(value) >= lightness(value + 0.5));
+    CHECK(lightness(13) < 0.45);  // as safe as most pixels in double
+    CHECK(lightness(-3) > 0.85);
+}
+
+TEST_CASE("alarm: 0 is dark, and one of many is bright") {
+    const Measurement alarm{"undecided", "", "", Scale::alarm, Source::hit, {}, one, {}};
+    const std::vector<Rgb> found = colors(alarm, row({0, 1, 1000}));
+    CHECK(found[0] == danger_colors()(0));
+    CHECK(to_oklab(found[1]).lightness > 0.6);
+    CHECK(found[2] == danger_colors()(1));
+    // Where every pixel raises it none is dark.
+    CHECK(to_oklab(colors(alarm, row({1, 1}))[0]).lightness > 0.6);
+}
+
+TEST_CASE("words have a colour each, whichever of them there are") {
+    static constexpr std::string_view words[] = {"right", "wrong hit", "wrong miss", "wrong surface"};
+    Measurement verdict{"verdict", "", "", Scale::words, Source::hit, std::pair{0.0, 3.0}, one, {}};
+    verdict.words = words;
+    const std::vector<Rgb> all = colors(verdict, row({0, 1, 2, 3}));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        CHECK(colors(verdict, row({static_cast<double>(i)}))[0] == all[i]);
+        for (std::size_t j = 0; j < i; ++j) CHECK(difference(to_oklab(all[i]), to_oklab(all[j])) > 0.15);
+        if (i > 0) CHECK(to_oklab(all[i]).lightness > to_oklab(all[0]).lightness + 0.4);
+    }
+}
+
+namespace {
+
+double position_of(double value, const Channel& plane, Spacing spacing, const Measurement& what = sequential) {
+    return coloring_of(what, summarized(plane, spacing), {}, spacing).position(value);
+}
+
+}  // namespace
+
+TEST_CASE("log: equal ratios are equally far apart, and what is not above 0 lies below the scale") {
+    const Channel plane = row({1, 10, 100, 0, -5});
+    CHECK(position_of(10, plane, Spacing::log) == doctest::Approx(0.5));
+    Measured measured{&sequential, {&plane, 1}};
+    measured.spacing = Spacing::log;
+    const std::vector<Rgb> found = colored(measured).pixels;
+    CHECK(found[0] == sequential_colors()(0));
+    CHECK(found[2] == sequential_colors()(1));
+    CHECK(found[3] == below_color);
+    CHECK(found[4] == below_color);
+    // Nothing is above 0: linear.
+    const Channel below = row({-4, -2, 0});
+    CHECK(position_of(-2, below, Spacing::log) == 0.5);
+}
+
+TEST_CASE("symlog: 0 is in the middle, both signs alike, and small numbers are not lost beside large ones") {
+    const Channel plane = row({-1e6, 1, 1e6});
+    CHECK(position_of(0, plane, Spacing::symlog, diverging) == doctest::Approx(0.5));
+    const double up = position_of(1e4, plane, Spacing::symlog, diverging);
+    CHECK(up > 0.7);  // linearly it were 0.505
+    CHECK(position_of(-1e4, plane, Spacing::symlog, diverging) == doctest::Approx(1 - up));
+}
+
+TEST_CASE("percentile: each colour has as many pixels") {
+    std::vector<double> values;
+    for (int i = 0; i <= 1000; ++i) values.push_back(std::pow(2.0, i / 10.0));
+    const Channel plane = row(values);
+    for (const int i : {0, 250, 500, 750, 1000})
+        CHECK(position_of(values[static_cast<std::size_t>(i)], plane, Spacing::percentile) ==
+              doctest::Approx(i / 1000.0).epsilon(0.01));
+}
+
+TEST_CASE("whatever the spacing, a place on the bar has a value whose place it is") {
+    const Channel plane = row({0.001, 0.02, 0.5, 7, 8, 9, 1e5});
+    for (const auto& [name, spacing, help] : spacings) {
+        CAPTURE(name);
+        const Coloring coloring = coloring_of(sequential, summarized(plane, spacing), {}, spacing);
+        for (const double place : {0.0, 0.1, 0.3, 0.5, 0.9, 1.0}) {
+            // Between the percentiles of seven values there are steps.
+            const double tolerance = spacing == Spacing::percentile ? 0.09 : 1e-9;
+            CHECK(std::abs(coloring.position(coloring.value_at(place)) - place) <= tolerance);
+        }
+        CHECK(coloring.value_at(0) == 0.001);
+        CHECK(coloring.value_at(1) == 1e5);
+    }
 }
 
 TEST_CASE("diverging, but all of one sign: from the least to the greatest, or the picture would have one colour") {
@@ -138,8 +237,10 @@ TEST_CASE("whatever the size and the values, nothing reaches the edge") {
             CAPTURE(triple[0]);
             CAPTURE(triple[2]);
             const std::vector<Channel> same(3, plane);
-            for (const Measurement* what : {&sequential, &sequential_fixed, &diverging, &direction}) {
-                const Measured measured{what, std::span(same).first(what->channels().size())};
+            int next = 0;
+            for (const Measurement* what : {&sequential, &sequential_fixed, &diverging, &direction, &diverging}) {
+                const Spacing spacing = spacings[static_cast<std::size_t>(next++) % spacings.size()].value;
+                const Measured measured{what, std::span(same).first(what->channels().size()), spacing};
                 CHECK(has_margin(heat_map({&measured, 1})));
             }
         }

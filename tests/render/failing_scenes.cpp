@@ -3,12 +3,15 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "render/failing.hpp"
 #include "render/measure/measurements.hpp"
 #include "render/render.hpp"
 #include "render/view.hpp"
@@ -210,4 +213,23 @@ TEST_CASE("turned-36: the rays drift, and what they meet is still told right") {
     CHECK(unlike_the_first_row == 0);
     // The verdict is about the rays as they are.
     CHECK(std::all_of(channels[1][0].values.begin(), channels[1][0].values.end(), is(0)));
+}
+
+TEST_CASE("what a scene says makes it fail does so: pixels are wrong by it, or the rays have drifted") {
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(SCENES)) {
+        if (entry.path().extension() != ".toml") continue;
+        const Scene scene = resized(read_scene(entry.path()), 120, 120);
+        const std::optional<Setup> failing = failing_setup(scene, setup_of(scene));
+        if (!failing) continue;
+        ++scenes;
+        CAPTURE(entry.path().stem().string());
+        const Measurement* const wanted[] = {find_measurement("verdict"), find_measurement("drift")};
+        const auto channels = measure(scene, failing->options, wanted);
+        const auto above_0 = [](const Channel& channel) {
+            return std::ranges::any_of(channel.values, [](double value) { return value > 0; });
+        };
+        CHECK((above_0(channels[0][0]) || above_0(channels[1][0])));
+    }
+    CHECK(scenes >= 7);  // those of docs/failing-scenes.md
 }

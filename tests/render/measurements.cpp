@@ -148,12 +148,45 @@ TEST_CASE("margin, undecided and identity on the paper's scene, where every numb
     options.scalar = Scalar::certified;
     // Column 360, row 120 looks at the edge PR, from (350, 100) to (375, 150), that the faces PQR and PSR share.
     CHECK(value(paper, "undecided", 360, 499 - 120, options) == 2);
-    CHECK(value(paper, "margin", 360, 499 - 120, options) == -std::numeric_limits<double>::infinity());
+    // The two side products of that edge are exactly 0, of whole numbers, and known to be.
+    CHECK(value(paper, "margin", 360, 499 - 120, options) == std::numeric_limits<double>::infinity());
     CHECK(value(paper, "undecided", nx, ny, options) == 0);
     CHECK(value(paper, "margin", nx, ny, options) > 10);  // whole numbers under 2^30, and bounds of 2^-50 of them
     CHECK(value(paper, "identity", nx, ny, options) == 0);
     options.scalar = Scalar::double_;
     CHECK(std::isnan(value(paper, "undecided", nx, ny, options)));  // plain double does not know
+}
+
+TEST_CASE("margin: a side product that came out as 0 is known to be 0 only where it is") {
+    // A ray along −z at (x, 0.3) and a triangle whose edge from (x0, 0) to (x0, 1) it passes: with x = x0 the product
+    // is exactly 0. In float 0.1 and 0.1 + 2^-40 are one number: there the side product is 0 of the numbers as float
+    // has them. In double it is not 0, and not computed as 0.
+    Scene scene;
+    scene.width = scene.height = 1;
+    const auto at = [&](double x, double x0, Scalar scalar) {
+        scene.view = ParallelView{{x, 0.25, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+        scene.triangles = {{{Vec3<double>{x0, 0, 0}, {x0 + 1, 0, 0}, {x0, 1, 0}}, {1, 2, 3}}};
+        Options options;
+        options.scalar = scalar;
+        const Measurement* const wanted = find_measurement("margin");
+        return measure(scene, options, {&wanted, 1})[0][0].values[0];
+    };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const Scalar scalar : {Scalar::float_, Scalar::double_, Scalar::long_double, Scalar::certified})
+        CHECK(at(0.1, 0.1, scalar) == infinity);
+    CHECK(at(0.1 + 0x1p-40, 0.1, Scalar::float_) == infinity);
+    CHECK(at(0.1 + 0x1p-40, 0.1, Scalar::double_) > 0);
+    // An edge from (1 + e, 1) to (−1, −(1 − e)), e = 2^-52, passes the ray at (0, 0): (1 + e)(1 − e) − 1 = −e², and
+    // computed as 0.
+    const double e = 0x1p-52;
+    scene.view = ParallelView{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+    scene.triangles = {{{Vec3<double>{1 + e, 1, 0}, {-1, -(1 - e), 0}, {3, -3, 0}}, {1, 2, 3}}};
+    const Measurement* const wanted = find_measurement("margin");
+    for (const Scalar scalar : {Scalar::double_, Scalar::certified}) {
+        Options options;
+        options.scalar = scalar;
+        CHECK(measure(scene, options, {&wanted, 1})[0][0].values[0] == -infinity);
+    }
 }
 
 TEST_CASE("bits-lost: none where t is a whole number, few on a sphere's slope") {

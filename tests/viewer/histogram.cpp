@@ -2,9 +2,11 @@
 
 #include <doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "viewer/model/overlay/difference.hpp"
@@ -32,6 +34,13 @@ std::vector<std::int64_t> counts(const Histogram& histogram) {
     std::vector<std::int64_t> result;
     for (const Bin& bin : histogram.bins) result.push_back(bin.count);
     return result;
+}
+
+/// The colours beside the bar.
+std::vector<std::string> beside(const Distribution& distribution) {
+    std::vector<std::string> texts;
+    for (const ColorWord& word : distribution.words) texts.push_back(word.text);
+    return texts;
 }
 
 std::int64_t counted(const Histogram& histogram) {
@@ -78,7 +87,7 @@ TEST_CASE("what is not finite is in no bin") {
     CHECK_FALSE(found.histogram.bin_of(no_value));
     CHECK_FALSE(found.histogram.bin_of(infinity));
     CHECK(found.summary.missing == 1);
-    CHECK(found.outside.below + found.outside.above == 0);
+    CHECK(beside(found) == std::vector<std::string>{"−∞", "∞", "no value"});
 }
 
 TEST_CASE("without a finite value there are no bins") {
@@ -117,18 +126,45 @@ TEST_CASE("every finite value is in a bin that holds it, from the smallest to th
 TEST_CASE("a range that was set cuts: what lies outside is counted and has a colour of its own") {
     const Channel plane = row({0, 1, 2.5, 4, 9, 9, infinity, no_value});
     const Distribution found = distribution(sequential, plane, std::pair{1.0, 4.0});
-    CHECK(found.outside.below == 1);  // 0
-    CHECK(found.outside.above == 2);  // 9 and 9; ∞ is counted by itself
+    CHECK(beside(found) == std::vector<std::string>{"below 1", "above 4", "∞", "no value"});
+    CHECK(found.words[0].pixels == 1);  // 0
+    CHECK(found.words[1].pixels == 2);  // 9 and 9; ∞ is counted by itself
     CHECK(found.summary.positive_infinite == 1);
     CHECK(counted(found.histogram) == 3);  // 1, 2.5, 4
     CHECK(found.coloring(0) == below_color);
     CHECK(found.coloring(9) == above_color);
-    CHECK(found.coloring(infinity) == above_color);
+    CHECK(found.coloring(infinity) == infinity_color);
     CHECK(found.coloring(no_value) == no_value_color);
     CHECK(found.coloring(1) == found.coloring.map(0));
     CHECK(found.coloring(4) == found.coloring.map(1));
     const Measured measured{&sequential, {&plane, 1}};
     CHECK(colored(measured, std::pair{1.0, 4.0}).pixels.front() == below_color);
+}
+
+TEST_CASE("bins are as even on a logarithmic bar as on a linear one") {
+    // From 1 to 10⁴ in 4 bins: a power of ten each.
+    const Channel plane = row({1, 2, 9, 10, 500, 2000, 10000});
+    const Coloring coloring = coloring_of(sequential, summarized(plane), {}, Spacing::log);
+    const Histogram found = in_bins(plane, coloring, 4);
+    CHECK_FALSE(found.whole);
+    CHECK(found.bins[1].from == doctest::Approx(10));
+    CHECK(counted(found) == 7);
+    CHECK(found.bins[2].count == 1);
+    CHECK(found.bins[3].count == 2);
+}
+
+TEST_CASE("brushed bins hold the values that they count, and no others") {
+    const Channel plane = row({0, 0.25, 0.5, 0.75, 0.999, 1.5, 2});
+    const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 4);
+    for (std::size_t first = 0; first < 4; ++first)
+        for (std::size_t last = first; last < 4; ++last) {
+            const auto [from, to] = values_of(found, first, last);
+            std::int64_t in_bins_there = 0;
+            for (std::size_t i = first; i <= last; ++i) in_bins_there += found.bins[i].count;
+            CHECK(std::ranges::count_if(plane.values, [&, low = from, high = to](double v) {
+                      return low <= v && v <= high;
+                  }) == in_bins_there);
+        }
 }
 
 TEST_CASE("0 keeps the middle of a map for both signs when the range that was set has it") {
@@ -151,10 +187,10 @@ TEST_CASE("a range that was set comes before a measurement's own") {
 }
 
 TEST_CASE("none of the colours that say something else is in a map") {
-    for (const ColorMap& map : {sequential_colors(), diverging_colors()})
+    for (const ColorMap& map : {sequential_colors(), diverging_colors(), danger_colors()})
         for (int i = 0; i <= 256; ++i) {
             const Rgb c = map(i / 256.0);
-            for (const Rgb other : {below_color, above_color, no_value_color})
+            for (const Rgb other : {below_color, above_color, no_value_color, minus_infinity_color, infinity_color})
                 CHECK(std::abs(c.red - other.red) + std::abs(c.green - other.green) + std::abs(c.blue - other.blue) >
                       60);
         }

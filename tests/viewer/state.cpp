@@ -130,6 +130,34 @@ TEST_CASE("the list of scenes: by name, with their titles, a broken one without"
     CHECK(menu.scenes[1].title == "small");
 }
 
+TEST_CASE("a scene that says with what it fails is set up so at a click, and undo takes it back") {
+    const Folder folder;
+    const auto file = folder / "s.toml";
+    write(file, small + "[failing]\nscalar = 'float'\ntriangle = 'tolerance:2'\n");
+    ViewerState state = opened(file);
+    CHECK(can_show_failing(state));
+    show_failing(state);
+    CHECK(state.setup.now().options.scalar == Scalar::float_);
+    CHECK(state.setup.now().options.triangle_rule == TriangleRule(Tolerance{2}));
+    CHECK(state.overlay.measurement == "verdict");
+    CHECK_FALSE(can_show_failing(state));
+    state.setup.undo();
+    CHECK(state.setup.now() == setup_of(*state.scene));
+    CHECK(can_show_failing(state));
+
+    // A choice that was made stays.
+    state.setup.change(turned(state.setup.now(), Axis::z, 10));
+    show_failing(state);
+    CHECK(state.setup.now().options.turns.size() == 1);
+
+    write(file, small);
+    CHECK_FALSE(can_show_failing(opened(file)));
+    write(file, small + "[failing]\nscalar = 'flaot'\n");
+    CHECK_THROWS_WITH(
+        opened(file),
+        ((folder / "s.toml").string() + ":6:10: error: scalar: 'flaot' is not known; did you mean 'float'?").c_str());
+}
+
 TEST_CASE("undo keeps what is pinned") {
     const Folder folder;
     write(folder / "s.toml", small);

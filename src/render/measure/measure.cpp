@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/measure/known_zeros.hpp"
 #include "render/measure/reference_search.hpp"
 #include "render/measure/why_no_value.hpp"
 #include "render/render.hpp"
@@ -75,6 +76,9 @@ std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options option
     std::optional<ReferenceSearch> reference;
     if (needs.truth || count_hits) reference.emplace(job.engine);
 
+    std::optional<KnownZeros> known_zeros;
+    if (needs.triangles) known_zeros.emplace(scene, options);
+
     std::vector<std::vector<Channel>> result;
     for (const Measurement* measurement : wanted)
         result.push_back(empty_channels(*measurement, scene.width, scene.height));
@@ -86,6 +90,9 @@ std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options option
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
         if (count_hits) numbers.hits = static_cast<double>(reference->hits(ray).met.size());
         if (needs.truth) reference->compare(ray, options.scalar, numbers);
+        TriangleNumbers& triangles = numbers.triangles;
+        if (known_zeros && !triangles.zeros.empty() && known_zeros->are_known(ray, triangles.zeros))
+            triangles.know_zeros();
         const std::size_t pixel = index_of({x, y}, scene.width);
         for (std::size_t m = 0; m < wanted.size(); ++m) {
             reasons[m].consider(

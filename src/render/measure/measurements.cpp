@@ -44,7 +44,33 @@ constexpr Measurement with_contour(double value, Measurement measurement) {
     return measurement;
 }
 
+/// The same, of which these values are the worst.
+template <Worst which, Alarm alarm = Alarm::none>
+constexpr Measurement worst(Measurement measurement) {
+    measurement.worst = which;
+    measurement.alarm = alarm;
+    return measurement;
+}
+
+constexpr Measurement spaced(Spacing spacing, Measurement measurement) {
+    measurement.spacing = spacing;
+    return measurement;
+}
+
+constexpr Measurement with_infinities(std::string_view minus, std::string_view plus, Measurement measurement) {
+    measurement.minus_infinity = minus;
+    measurement.infinity = plus;
+    return measurement;
+}
+
+constexpr Measurement in_words(std::span<const std::string_view> words, Measurement measurement) {
+    measurement.words = words;
+    return measurement;
+}
+
 constexpr Scale sequential = Scale::sequential, diverging = Scale::diverging;
+
+constexpr std::string_view verdicts[] = {"right", "wrong hit", "wrong miss", "wrong surface"};
 
 constexpr Measurement all[] = {
     number("tests", "", "how many surfaces were tested against the pixel's ray", sequential, Source::ray,
@@ -77,26 +103,33 @@ constexpr Measurement all[] = {
            read<&P::diffuse>),
     number("specular", "", "I k_s max(0, n·h)ᵉ, the specular term before its colour", sequential, Source::light,
            read<&P::specular>),
-    number("discriminant", "length² |D|²",
-           "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed", diverging,
-           Source::spheres, read<&P::discriminant>),
-    needing<&Needs::triangles>(number("side", "",
-                                      "the smallest side product over the sum of its terms' sizes: 0 on an edge's line",
-                                      diverging, Source::sides, read<&T::side>)),
-    needing<&Needs::triangles>(number("margin", "log10",
-                                      "the deciding side product over its error bound: below 0 it decides nothing",
-                                      diverging, Source::sides, read<&T::margin>)),
-    number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", sequential,
-           Source::proof, read<&P::undecided>),
+    spaced(Spacing::symlog, worst<Worst::nearest_0>(number(
+                                "discriminant", "length² |D|²",
+                                "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed",
+                                diverging, Source::spheres, read<&P::discriminant>))),
+    worst<Worst::nearest_0>(needing<&Needs::triangles>(
+        number("side", "", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line", diverging,
+               Source::sides, read<&T::side>))),
+    between(-4, 16,
+            worst<Worst::least, Alarm::below_0>(needing<&Needs::triangles>(with_infinities(
+                "computed as 0, or too large: nothing is known", "exactly 0, and known to be",
+                number("margin", "log10", "the deciding side product over its error bound: below 0 it decides nothing",
+                       Scale::danger, Source::sides, read<&T::margin>))))),
+    worst<Worst::greatest, Alarm::above_0>(
+        number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", Scale::alarm,
+               Source::proof, read<&P::undecided>)),
     between(0, 3,
-            needing<&Needs::truth>(number("verdict", "", "0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface",
-                                          sequential, Source::ray, read<&P::verdict>))),
-    with_contour(1, needing<&Needs::triangles>(
-                        number("deficit", "log10",
-                               "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
-                               sequential, Source::sides, read<&T::deficit>))),
+            worst<Worst::greatest, Alarm::above_0>(needing<&Needs::truth>(
+                in_words(verdicts, number("verdict", "", "0 right, 1 wrong hit, 2 wrong miss, 3 wrong surface",
+                                          Scale::words, Source::ray, read<&P::verdict>))))),
+    with_infinities(
+        "a difference of 0: all signs agree", "",
+        with_contour(1, needing<&Needs::triangles>(number(
+                            "deficit", "log10",
+                            "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
+                            sequential, Source::sides, read<&T::deficit>)))),
     needing<&Needs::truth>(number("bits-lost", "bits",
-                                  "how many of the last bits of t are not the true ones: log2(ulps + 1)", sequential,
+                                  "how many of the last bits of t are not the true ones: log2(ulps + 1)", Scale::danger,
                                   Source::true_t, read<&P::bits_lost>)),
     needing<&Needs::triangles>(number("identity", "u P",
                                       "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding",

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "render/measure/spacing.hpp"
+
 namespace glassbox {
 
 struct PixelNumbers;
@@ -14,7 +16,16 @@ enum class Scale {
     sequential,  ///< from its least to its greatest value
     diverging,   ///< the same on both sides of 0
     direction,   ///< three components from -1 to 1, shown as red, green, blue
+    danger,      ///< safe values are dark, the worst are bright
+    alarm,       ///< 0 is dark, all above it bright
+    words,       ///< a few words, each with a colour: right, and what can be wrong
 };
+
+/// Which of its values are the worst.
+enum class Worst { greatest, least, nearest_0 };
+
+/// Which of its values raise an alarm: something is wrong there, or not decided.
+enum class Alarm { none, above_0, below_0 };
 
 /// Where a measurement's values come from.
 enum class Source {
@@ -50,6 +61,17 @@ struct Measurement {
     std::array<double, 3> (*read)(const PixelNumbers&);  ///< its components at a pixel, as many as it has channels
     Needs needs = {};
     std::optional<double> contour = {};  ///< a value whose contour is drawn
+    Worst worst = Worst::greatest;
+    Alarm alarm = Alarm::none;
+    Spacing spacing = Spacing::linear;             ///< unless the user chooses another
+    std::span<const std::string_view> words = {};  ///< what 0, 1, … mean, if they are no numbers
+    std::string_view minus_infinity = {};          ///< what −∞ means, if it says more than that
+    std::string_view infinity = {};                ///< what ∞ means, likewise
+
+    /// Whether that value raises its alarm. −∞ is below 0; NaN raises none.
+    bool alarms(double value) const {
+        return (alarm == Alarm::above_0 && value > 0) || (alarm == Alarm::below_0 && value < 0);
+    }
 
     /// The names of its channels: that of a single number is its own.
     std::span<const std::string_view> channels() const { return components.empty() ? std::span(&name, 1) : components; }

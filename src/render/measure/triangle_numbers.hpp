@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 #include <magnitude.hpp>
 #include <tolerance.hpp>
@@ -80,6 +81,9 @@ struct TriangleNumbers {
     double deficit = no_value;   ///< log10 of the paper's difference, the smallest
     double identity = no_value;  ///< the largest |a+b+c + D·((B−A)×(C−A))|, over an eighth of their bounds
     bool tested = false;         ///< at least one triangle was tested
+    /// The triangles whose deciding side product came out as 0, as seen from the ray's start.
+    std::vector<Triangle<long double>> zeros = {};
+    double margin_of_others = no_value;  ///< the margin without these
 
     /// Adds one triangle as seen from the ray's start, and the ray's direction.
     template <class Real>
@@ -89,15 +93,27 @@ struct TriangleNumbers {
         take_side(s.values.a, s.sides.a, s.sizes.a);
         take_side(s.values.b, s.sides.b, s.sizes.b);
         take_side(s.values.c, s.sides.c, s.sizes.c);
-        keep(margin, std::log10(certainty(s.sides, s.bounds)), std::fmin);
+        take_certainty(certainty(s.sides, s.bounds), s, seen);
         keep(deficit, log10_of_deficit(seen, D), std::fmin);
         keep(identity, residual(seen, D, s), std::fmax);
     }
+
+    /// Takes the zeros for what they are: exactly 0. No error is there to be near to: their own margin is ∞.
+    void know_zeros() { margin = margin_of_others < 0 ? margin_of_others : std::numeric_limits<double>::infinity(); }
 
 private:
     long double smallest_side_ = std::numeric_limits<long double>::infinity();
 
     static void keep(double& kept, double value, double (*better)(double, double)) { kept = better(kept, value); }
+
+    template <class Real>
+    void take_certainty(double certainty, const ScaledSides<Real>& s, const Triangle<Real>& seen) {
+        const bool is_zero = certainty == 0 && std::isfinite(s.bounds.a + s.bounds.b + s.bounds.c) &&
+                             std::isfinite(s.sides.a + s.sides.b + s.sides.c);
+        if (is_zero) zeros.push_back(convert<long double>(seen));
+        else keep(margin_of_others, std::log10(certainty), std::fmin);
+        keep(margin, std::log10(certainty), std::fmin);
+    }
 
     void take_side(long double s, double scaled, double size) {
         if (!(std::abs(s) < smallest_side_) || !std::isfinite(size)) return;

@@ -50,6 +50,12 @@ std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<doubl
     return crossing(ray, triangle, Chosen{rule});
 }
 
+std::array<int, 3> exact_side_signs(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const auto [P, D] = convert<Exact>(ray);
+    const Sides<Exact> exact = sides(D, seen_from(P, convert<Exact>(triangle)));
+    return {exact.a.sign(), exact.b.sign(), exact.c.sign()};
+}
+
 std::optional<Vec3<double>> exact_normal(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
     const std::optional<TrueT> t = exact_crossing(ray, sphere, rule);
     if (!t) return {};

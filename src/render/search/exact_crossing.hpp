@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -29,6 +30,9 @@ private:
 // The true t at which a valid ray meets a surface, if it does: the core's formula evaluated without any rounding.
 std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule);
 std::optional<TrueT> exact_crossing(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleRule& rule);
+
+/// The signs of a triangle's side products, -1, 0 or 1, without any rounding. All numbers must be finite.
+std::array<int, 3> exact_side_signs(const Ray<double>& ray, const Triangle<double>& triangle);
 
 // The unit normal there, each coordinate of it, before it gets length 1, rounded once. None for a ray that does not
 // meet the surface, or a triangle without area.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/hierarchy.hpp"
@@ -76,6 +77,18 @@ Command range(const Words& words) {
     if (!(low < high))
         throw wrong("range", fmt::format("LOW must be less than HIGH, and {} is not less than {}", low, high));
     return change([low, high](ViewerState& state) { state.overlay.range = {low, high}; });
+}
+
+Command brush(const Words& words) {
+    if (words[1] == "none") return change([](ViewerState& state) { state.overlay.brush.reset(); });
+    if (words.size() != 3) throw wrong("brush", "must be followed by LOW HIGH, or by none");
+    const double low = number("brush", words[1], -INFINITY, INFINITY);
+    const double high = number("brush", words[2], -INFINITY, INFINITY);
+    if (!(low <= high)) throw wrong("brush", fmt::format("LOW must not be above HIGH, and {} is above {}", low, high));
+    return change([low, high](ViewerState& state) {
+        if (state.overlay.measurement.empty()) throw Error("brush: nothing is laid over; put 'overlay NAME' before");
+        state.overlay.brush = Brush{state.overlay.measurement, low, high};
+    });
 }
 
 Command zoom(const Words& words) {
@@ -210,6 +223,14 @@ const Syntax all_commands[] = {
              state.watching.shown = std::min<double>(shown, pixels(state));
          });
      }},
+    {"fail", "fail", 0, 0,
+     [](const Words&) {
+         return change([](ViewerState& state) {
+             if (state.scene->failing.empty()) throw Error("fail: the scene does not say with what it fails");
+             show_failing(state);
+         });
+     }},
+    {"brush", "brush LOW HIGH | none", 1, 2, brush},
     {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
     {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
     {"boxes", "boxes LEVEL | off", 1, 1, boxes},

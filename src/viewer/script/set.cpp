@@ -89,6 +89,13 @@ const Settable settables[] = {
     settable(
         "opacity", from_to(0, 1), [](ViewerState& s) -> auto& { return s.overlay.opacity; }),
     settable(
+        "legend", one_of(switches), [](ViewerState& s) -> auto& { return s.overlay.legend_shown; }),
+    {"scale",
+     [](Word name, Word typed) {
+         const SetSpacing spacing = typed == "auto" ? SetSpacing{} : chosen(name, typed, spacings);
+         return change([spacing](ViewerState& s) { s.overlay.spacing = spacing; });
+     }},
+    settable(
         "counts", one_of(count_axes), [](ViewerState& s) -> auto& { return s.overlay_page.log_counts; }),
     settable(
         "side-width", from_to(.1, .75), [](ViewerState& s) -> auto& { return s.side_width; }),

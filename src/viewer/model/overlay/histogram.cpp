@@ -14,9 +14,9 @@ std::vector<Bin> whole_bins(double low, double high, int most) {
     return bins;
 }
 
-std::vector<Bin> even_bins(double low, double high, int most) {
-    if (low == high) return {{low, high}};
-    const auto edge = [&](int k) { return std::lerp(low, high, static_cast<double>(k) / most); };
+std::vector<Bin> even_bins(const Coloring& coloring, int most) {
+    if (coloring.low == coloring.high) return {{coloring.low, coloring.high}};
+    const auto edge = [&](int k) { return coloring.value_at(static_cast<double>(k) / most); };
     std::vector<Bin> bins;
     for (int k = 0; k < most; ++k) bins.push_back({edge(k), edge(k + 1)});
     return bins;
@@ -36,21 +36,31 @@ Histogram histogram(const Channel& channel, const Summary& summary, const Colori
     Histogram result;
     if (!summary.any_finite()) return result;
     // Beyond 2^53 a double cannot hold every whole number.
-    result.whole = summary.whole && low == std::floor(low) && high == std::floor(high) &&
-                   std::max(std::abs(low), std::abs(high)) < 0x1p53;
-    result.bins = result.whole ? whole_bins(low, high, most_bins) : even_bins(low, high, most_bins);
+    result.whole = coloring.spacing == Spacing::linear && summary.whole && low == std::floor(low) &&
+                   high == std::floor(high) && std::max(std::abs(low), std::abs(high)) < 0x1p53;
+    result.bins = result.whole ? whole_bins(low, high, most_bins) : even_bins(coloring, most_bins);
     for (const double value : channel.values)
         if (const auto bin = result.bin_of(value)) ++result.bins[*bin].count;
     for (const Bin& bin : result.bins) result.most = std::max(result.most, bin.count);
     return result;
 }
 
-Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set) {
+Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set,
+                          const SetSpacing& spacing) {
     constexpr int most_bins = 64;
-    const Summary summary = summarized(channel);
-    Coloring coloring = coloring_of(what, summary, what.scale == Scale::direction ? SetRange{} : set);
+    const Summary summary = summarized(channel, spacing_of(what, spacing));
+    Coloring coloring = coloring_of(what, summary, what.scale == Scale::direction ? SetRange{} : set, spacing);
     if (what.scale == Scale::direction) coloring.blocks = false;  // its colours blend into each other
-    return {summary, coloring, outside(channel, coloring), histogram(channel, summary, coloring, most_bins)};
+    Histogram bins = histogram(channel, summary, coloring, most_bins);
+    std::vector<ColorWord> words = color_words(what, channel, summary, coloring);
+    const Outside beyond = outside(channel, coloring);
+    return {summary, std::move(coloring), beyond, std::move(bins), std::move(words)};
+}
+
+std::pair<double, double> values_of(const Histogram& histogram, std::size_t first, std::size_t last) {
+    const std::vector<Bin>& bins = histogram.bins;
+    const bool shares_end = !histogram.whole && last + 1 < bins.size();
+    return {bins[first].from, shares_end ? std::nextafter(bins[last].to, -INFINITY) : bins[last].to};
 }
 
 }  // namespace glassbox

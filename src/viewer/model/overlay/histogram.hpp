@@ -1,9 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "output/coloring.hpp"
+#include "output/value_words.hpp"
 
 namespace glassbox {
 
@@ -15,7 +17,7 @@ struct Bin {
 
 /// The values of a channel in bins, from the low end of its colours to the high end.
 struct Histogram {
-    std::vector<Bin> bins;  ///< of the same width; none where no value is finite
+    std::vector<Bin> bins;  ///< as wide as each other on the bar; none where no value is finite
     bool whole = false;     ///< of whole numbers: a bin holds those from `from` to `to`, both included
     std::int64_t most = 0;  ///< in one bin
 
@@ -33,9 +35,14 @@ struct Distribution {
     Coloring coloring;
     Outside outside;
     Histogram histogram;
+    std::vector<ColorWord> words;  ///< the colours that stand beside the bar
 };
 
-/// Returns what the colours of a measured channel stand for; `set` is a range that the user has set.
-Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set);
+/// Returns what the colours of a measured channel stand for, with the range and the spacing that the user has set.
+Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set,
+                          const SetSpacing& spacing = {});
+
+/// The values of the bins from one to another, both included. The upper end of a bin belongs to the next.
+std::pair<double, double> values_of(const Histogram& histogram, std::size_t first, std::size_t last);
 
 }  // namespace glassbox

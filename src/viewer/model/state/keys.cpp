@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/space/flight.hpp"
@@ -53,6 +54,11 @@ void pin_by_key(State& state, const Results&, const KeyPress& press) {
     const Pixel middle = state.view.pixel_at({state.area.x / 2, state.area.y / 2});
     pin(state,
         Pixel{std::clamp(middle.x, 0, state.scene->width - 1), std::clamp(middle.y, 0, state.scene->height - 1)});
+}
+
+template <bool forward>
+void worst_pixel(State& state, const Results& results, const KeyPress&) {
+    pin_next_worst(state, results, forward);
 }
 
 void unpin(State& state, const Results&, const KeyPress&) {
@@ -178,6 +184,8 @@ constexpr KeyBinding bindings[] = {
      move_split, is_split},
     {named(Key::enter), "Enter", "pin the pixel in the middle (with Shift: keep this pin as the second one)", "Picture",
      pin_by_key},
+    {character('.'), ".", "to the next worst pixel of the overlay", "Picture", worst_pixel<true>},
+    {character(','), ",", "and the one before", "Picture", worst_pixel<false>},
     {named(Key::escape), "Esc", "take away the second pin, then the first", "Picture", unpin},
 
     {character('d'), "d", "turn the view 10° counter-clockwise about z", "View", turn<Axis::z, 10>},

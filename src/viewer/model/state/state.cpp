@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/failing.hpp"
 #include "scene/error.hpp"
 #include "scene/scene_file.hpp"
 
@@ -14,12 +15,19 @@ std::optional<Pixel> if_on(const Scene& scene, const std::optional<Pixel>& pixel
     return {};
 }
 
+/// Reads a scene, and checks what it says of a setup that fails.
+std::shared_ptr<const Scene> scene_of(const std::filesystem::path& file) {
+    auto scene = std::make_shared<const Scene>(read_scene(file));
+    failing_setup(*scene, setup_of(*scene));
+    return scene;
+}
+
 }  // namespace
 
 ViewerState opened(const std::filesystem::path& file) {
     ViewerState state;
     state.file = file;
-    state.scene = std::make_shared<const Scene>(read_scene(file));
+    state.scene = scene_of(file);
     state.setup = History(setup_of(*state.scene));
     state.other.scalar = Scalar::double_;
     return state;
@@ -55,9 +63,20 @@ std::vector<std::filesystem::path> mesh_files(const Scene& scene) {
     return files;
 }
 
+bool can_show_failing(const ViewerState& state) {
+    const std::optional<Setup> failing = failing_setup(*state.scene, state.setup.now());
+    return failing && *failing != state.setup.now();
+}
+
+void show_failing(ViewerState& state) {
+    if (!can_show_failing(state)) return;
+    state.setup.change(*failing_setup(*state.scene, state.setup.now()));
+    state.overlay.measurement = "verdict";
+}
+
 void reload(ViewerState& state) {
     try {
-        auto scene = std::make_shared<const Scene>(read_scene(state.file));
+        std::shared_ptr<const Scene> scene = scene_of(state.file);
         state.setup.replace_all([&](const Setup& setup) { return followed(setup, *state.scene, *scene); });
         if (scene->width != state.scene->width || scene->height != state.scene->height) state.fit = Fit::whole_multiple;
         state.scene = std::move(scene);
@@ -82,6 +101,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.box_level = state.box_level;
         fresh.overlay.measurement = state.overlay.measurement;
         fresh.overlay.opacity = state.overlay.opacity;
+        fresh.overlay.legend_shown = state.overlay.legend_shown;
         fresh.beside = state.beside;
         fresh.split = state.split;
         fresh.other = state.other;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "explain/questions.hpp"
+#include "render/measure/spacing.hpp"
 #include "scene/scene.hpp"
 #include "viewer/model/state/history.hpp"
 #include "viewer/model/state/number_form.hpp"
@@ -16,11 +17,22 @@
 
 namespace glassbox {
 
+/// Values of a measurement, whose pixels stand out in the picture.
+struct Brush {
+    std::string measurement;
+    double from, to;  ///< both included
+
+    bool operator==(const Brush&) const = default;
+};
+
 /// What is laid over the picture, or shown beside it.
 struct Overlay {
     std::string measurement;  ///< its name; empty: none
     double opacity = 1;
-    std::optional<std::pair<double, double>> range;  ///< of its colours; otherwise that of its values
+    std::optional<std::pair<double, double>> range;  ///< of its colours; otherwise the measurement's own
+    SetSpacing spacing;                              ///< of its colours; otherwise the measurement's own
+    std::optional<Brush> brush;                      ///< counts while it is of this measurement
+    bool legend_shown = true;                        ///< on the picture
 
     bool operator==(const Overlay&) const = default;
 };
@@ -166,6 +178,13 @@ void list_scenes(SceneMenu& menu);
 
 /// Returns the files that the scene's meshes were read from, each once.
 std::vector<std::filesystem::path> mesh_files(const Scene& scene);
+
+/// Sets up what the scene's file says makes its numbers fail, if it says so, as a change that can be undone; and lays
+/// `verdict` over the picture.
+void show_failing(ViewerState& state);
+
+/// Whether the file says so, and it is not set up already.
+bool can_show_failing(const ViewerState& state);
 
 /// Reads the file again and keeps the changes that the user made; on an error the last good scene stays, and
 /// `file_error` says why.

@@ -92,8 +92,9 @@ struct MeasureOverlay {
         const auto measured = [&](const Scene& scene, int factor, const Job& job) {
             std::vector<Channel> channels =
                 measure(scene, request.seen.setup.options, std::span(&request.what, 1), job).front();
-            return std::make_shared<const MeasuredChannels>(
-                MeasuredChannels{request.what, std::move(channels), factor});
+            FoundPixels found = factor == 1 ? find_pixels(*request.what, channels.front()) : FoundPixels{};
+            return std::make_shared<const MeasuredChannels>(MeasuredChannels{
+                request.what, std::move(channels), factor, request.seen.scene, request.seen.setup, std::move(found)});
         };
         coarse_to_fine(applied(*seen.scene, seen.setup), background_job(seen, run), run.pace, measured, deliver);
     }

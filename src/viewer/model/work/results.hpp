@@ -12,6 +12,8 @@
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
+#include "render/setup.hpp"
+#include "viewer/model/overlay/finder.hpp"
 
 namespace glassbox {
 
@@ -28,6 +30,9 @@ struct MeasuredChannels {
     const Measurement* what = nullptr;
     std::vector<Channel> channels;
     int factor = 1;
+    std::shared_ptr<const Scene> scene = {};  ///< of what
+    Setup setup = {};                         ///< and how traced
+    FoundPixels found = {};                   ///< the worst ones; none while it is coarse
 };
 
 /// What was computed for a ViewerState: the newest result of each kind, kept until there is a newer one. `serial`

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include "output/value_words.hpp"
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {
@@ -19,11 +21,13 @@ std::string hovered_text(const Frame& frame) {
         const Rgb c = picture.image->at(x, y);
         text += fmt::format("   colour ({}, {}, {})", c.red, c.green, c.blue);
     }
-    const auto& overlay = frame.results.overlay;
-    if (overlay && overlay->factor == 1)
+    if (const MeasuredChannels* const overlay = laid_over(frame.state, frame.results)) {
+        if (overlay->factor > 1) return text + fmt::format("   {}: coarse, 1/{}", overlay->what->name, overlay->factor);
         for (const Channel& channel : overlay->channels)
-            if (channel.width == scene.width && channel.height == scene.height)
-                text += fmt::format("   {} = {:.6g} {}", channel.name, channel.at({x, y}), overlay->what->unit);
+            text += fmt::format("   {}: {}", channel.name, value_in_words(*overlay->what, channel.at({x, y})));
+    } else if (find_measurement(frame.state.overlay.measurement)) {
+        text += fmt::format("   {}: … being measured", frame.state.overlay.measurement);
+    }
     return text;
 }
 

@@ -43,6 +43,11 @@ void draw_toolbar(const Frame& frame) {
     flow("Redo");
     if (button_if(state.setup.can_redo(), "Redo")) state.setup.redo();
     tip("Ctrl+Y");
+    if (can_show_failing(state)) {
+        flow("Show it fail");
+        if (ImGui::Button("Show it fail")) show_failing(state);
+        tip("With the scalar and the rules with which this scene's numbers fail; Ctrl+Z takes it back");
+    }
     flow("Fit");
     if (toggle("Fit", state.fit == Fit::as_fits)) state.fit = Fit::as_fits;
     tip("The whole picture, as large as fits (F)");

@@ -7,7 +7,10 @@
 
 #include "output/legend_bar.hpp"
 #include "output/legend_number.hpp"
+#include "output/value_words.hpp"
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/ui/overlay/parts.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
 
 namespace glassbox {
 
@@ -32,7 +35,7 @@ struct Plot {
     }
     Rgb bar_color(int column) const {
         if (axis < 0) return color_on_bar(of.coloring, column, columns());
-        return color(std::lerp(of.coloring.low, of.coloring.high, static_cast<double>(column) / (columns() - 1)));
+        return color(of.coloring.value_at(static_cast<double>(column) / (columns() - 1)));
     }
     /// Where a bin begins and ends, from 0 to 1.
     std::pair<double, double> place(std::size_t bin) const {
@@ -89,6 +92,37 @@ void draw_bins(ImDrawList& list, const Plot& plot) {
     }
 }
 
+/// A frame around a bin, over its whole height.
+void frame_bin(ImDrawList& list, const Plot& plot, std::size_t bin, ImU32 color, float thick) {
+    const auto [from, to] = plot.place(bin);
+    list.AddRect({plot.x(from) - 1, plot.corner.y}, {plot.x(to) + 1, plot.corner.y + plot.height}, color, 0, 0, thick);
+}
+
+/// Lights up the bins that are brushed, and those of the pinned pixel and of the one under the mouse.
+void draw_lit(ImDrawList& list, const Plot& plot, const std::optional<double>& pinned,
+              const std::optional<double>& hovered) {
+    const Histogram& histogram = plot.histogram();
+    const Brush* const brush = plot.axis < 0 ? brush_of(plot.frame.state.overlay) : nullptr;
+    if (brush && !histogram.bins.empty()) {
+        const auto from = histogram.bin_of(std::max(brush->from, histogram.bins.front().from));
+        const auto to = histogram.bin_of(std::min(brush->to, histogram.bins.back().to));
+        if (from && to && *from <= *to) {
+            const float left = plot.x(plot.place(*from).first), right = plot.x(plot.place(*to).second);
+            const float end = plot.corner.y + plot.height;
+            const ImU32 shade = (plot.frame.palette.canvas & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 190);
+            list.AddRectFilled(plot.corner, {left, end}, shade);
+            list.AddRectFilled({right, plot.corner.y}, {plot.corner.x + plot.width, end}, shade);
+            list.AddRect({left, plot.corner.y}, {right, end}, plot.frame.palette.text, 0, 0, 2);
+        }
+    }
+    const auto light = [&](const std::optional<double>& value, ImU32 color) {
+        const auto bin = value ? histogram.bin_of(*value) : std::nullopt;
+        if (bin) frame_bin(list, plot, *bin, color, 2);
+    };
+    light(pinned, plot.frame.palette.accent);
+    light(hovered, plot.frame.palette.warning);
+}
+
 void draw_bar(ImDrawList& list, const Plot& plot, const Measurement& what) {
     const float top = plot.corner.y + plot.height, end = top + plot.bar;
     int from = 0;
@@ -106,6 +140,24 @@ void draw_bar(ImDrawList& list, const Plot& plot, const Measurement& what) {
     list.AddLine({x + 1, top}, {x + 1, end}, IM_COL32_WHITE, 2);
 }
 
+/// Under each block what its number means, a word a line; nothing where they do not fit.
+void draw_words(ImDrawList& list, const Plot& plot, const Measurement& what) {
+    const float size = ImGui::GetFontSize(), top = plot.corner.y + plot.height + plot.bar + size / 5;
+    const float block = plot.width / static_cast<float>(what.words.size());
+    const auto width = [](const std::string& word) { return ImGui::CalcTextSize(word.c_str()).x; };
+    for (std::size_t i = 0; i < what.words.size(); ++i)
+        for (const std::string& word : value_in_lines(what, static_cast<double>(i)))
+            if (width(word) > block) return;
+    for (std::size_t i = 0; i < what.words.size(); ++i) {
+        const float middle = plot.corner.x + block * (static_cast<float>(i) + .5f);
+        float y = top;
+        for (const std::string& word : value_in_lines(what, static_cast<double>(i))) {
+            list.AddText({middle - width(word) / 2, y}, plot.frame.palette.text, word.c_str());
+            y += size;
+        }
+    }
+}
+
 void draw_ticks(ImDrawList& list, const Plot& plot) {
     const auto text_width = [](const std::string& text) {
         return static_cast<int>(std::ceil(ImGui::CalcTextSize(text.c_str()).x));
@@ -121,10 +173,9 @@ void draw_ticks(ImDrawList& list, const Plot& plot) {
 
 /// The value measured at a pixel; none while there is only a coarse picture.
 std::optional<double> value_at(const Frame& frame, int axis, const std::optional<Pixel>& pixel) {
-    const MeasuredChannels& measured = *frame.results.overlay;
-    const Channel& channel = measured.channels[static_cast<std::size_t>(std::max(axis, 0))];
-    if (!pixel || measured.factor > 1 || pixel->x >= channel.width || pixel->y >= channel.height) return {};
-    return channel.at(*pixel);
+    const MeasuredChannels* const measured = wholly_laid_over(frame.state, frame.results);
+    if (!pixel || !measured) return {};
+    return measured->channels[static_cast<std::size_t>(std::max(axis, 0))].at(*pixel);
 }
 
 float x_of(const Plot& plot, double value) {
@@ -164,13 +215,8 @@ void say_pin(const Frame& frame, const std::optional<Pixel>& pixel, ImU32 color,
     for (std::size_t i = 0; i < measured.channels.size(); ++i) {
         const auto value = value_at(frame, static_cast<int>(i), pixel);
         if (!value) return;
-        values += (i > 0 ? ", " : "") + legend_number(*value, 6);
-        if (std::isnan(*value)) {
-            values = "no value";
-            break;
-        }
+        values += (i > 0 ? ", " : "") + value_in_words(*measured.what, *value);
     }
-    if (values != "no value") values = with_unit(values, measured.what->unit);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextWrapped("pixel %s (%d, %d): %s", name, pixel->x, pixel->y, values.c_str());
     ImGui::PopStyleColor();
@@ -180,47 +226,62 @@ void say_pin(const Frame& frame, const std::optional<Pixel>& pixel, ImU32 color,
 void tell_bin(const Plot& plot, const Measurement& what, std::size_t index) {
     const Bin& bin = plot.histogram().bins[index];
     const int digits = digits_between(bin.from, bin.to);
-    std::string text = legend_number(bin.from, digits);
-    if (bin.to != bin.from) text += " to " + legend_number(bin.to, digits);
+    std::string text = value_in_words(what, bin.from, digits);
+    if (bin.to != bin.from) text = legend_number(bin.from, digits) + " to " + value_in_words(what, bin.to, digits);
     std::int64_t all = 0;
     for (const Bin& each : plot.histogram().bins) all += each.count;
     const double percent = all > 0 ? 100.0 * static_cast<double>(bin.count) / static_cast<double>(all) : 0;
     ImGui::SetTooltip(
-        "%s",
-        fmt::format("{}\n{}, {:.2g} % of those here", with_unit(text, what.unit), pixels(bin.count), percent).c_str());
+        "%s", fmt::format("{}\n{}, {:.2g} % of those here\nClick, or drag over bins, to light up their pixels", text,
+                          pixels(bin.count), percent)
+                  .c_str());
 }
 
-/// The range between two positions on the bar.
-std::pair<double, double> range_between(const Plot& plot, double one, double other) {
-    const double from = std::clamp(std::min(one, other), 0.0, 1.0), to = std::clamp(std::max(one, other), 0.0, 1.0);
-    const auto [low, high] = std::pair(plot.of.coloring.low, plot.of.coloring.high);
-    if (!plot.histogram().whole) return {std::lerp(low, high, from), std::lerp(low, high, to)};
-    const double numbers = high - low + 1;
-    const double first = std::min(high, low + std::floor(from * numbers));
-    return {first, std::max(first, low + std::ceil(to * numbers) - 1)};
+/// The bin at a place from 0 to 1; the first or the last beside them.
+std::size_t bin_at(const Plot& plot, double place) {
+    const std::size_t count = plot.histogram().bins.size();
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        if (place < plot.place(i).second) return i;
+    return count - 1;
+}
+
+/// A press brushes a bin, a drag those from there on; a second press on the same bin takes the brush away.
+void brush(const Plot& plot, const Measurement& what, double clicked, double now) {
+    Overlay& overlay = plot.frame.state.overlay;
+    const std::size_t one = bin_at(plot, clicked), other = bin_at(plot, now);
+    const auto [from, to] = values_of(plot.histogram(), std::min(one, other), std::max(one, other));
+    const Brush brushed{std::string(what.name), from, to};
+    if (ImGui::IsItemActivated() && overlay.brush == brushed) overlay.brush.reset();
+    else if (ImGui::IsItemActivated() || (ImGui::IsItemActive() && one != other)) overlay.brush = brushed;
 }
 
 void listen(ImDrawList& list, const Plot& plot, const Measurement& what) {
+    if (plot.histogram().bins.empty()) return;
     ImGui::SetCursorScreenPos(plot.corner);
     ImGui::InvisibleButton("plot", {plot.width, plot.height + plot.bar});
     const ImGuiIO& io = ImGui::GetIO();
     const auto place = [&](float x) { return static_cast<double>((x - plot.corner.x) / plot.width); };
-    const float clicked = io.MouseClickedPos[ImGuiMouseButton_Left].x, now = io.MousePos.x;
-    const bool far = std::abs(now - clicked) >= ImGui::GetFontSize() / 4;
-    if (plot.axis < 0 && far && ImGui::IsItemActive())
-        list.AddRectFilled({plot.x(std::clamp(place(std::min(clicked, now)), 0., 1.)), plot.corner.y},
-                           {plot.x(std::clamp(place(std::max(clicked, now)), 0., 1.)), plot.corner.y + plot.height},
-                           (plot.frame.palette.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 80));
-    if (plot.axis < 0 && far && ImGui::IsItemDeactivated())
-        plot.frame.state.overlay.range = range_between(plot, place(clicked), place(now));
+    const double now = place(io.MousePos.x);
+    if (plot.axis < 0 && ImGui::IsItemActive())
+        brush(plot, what, place(io.MouseClickedPos[ImGuiMouseButton_Left].x), now);
     if (!ImGui::IsItemHovered()) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) plot.frame.state.overlay.range.reset();
-    for (std::size_t i = 0; i < plot.histogram().bins.size(); ++i) {
-        const auto [from, to] = plot.place(i);
-        if (place(now) < from || place(now) >= to) continue;
-        list.AddRect({plot.x(from), plot.corner.y}, {plot.x(to), plot.corner.y + plot.height}, plot.frame.palette.text);
-        tell_bin(plot, what, i);
-    }
+    const std::size_t bin = bin_at(plot, now);
+    frame_bin(list, plot, bin, plot.frame.palette.text, 1);
+    tell_bin(plot, what, bin);
+}
+
+/// What is brushed, and what can be done with it.
+void say_brush(const Frame& frame, const Measurement& what) {
+    Overlay& overlay = frame.state.overlay;
+    const Brush* const brush = brush_of(overlay);
+    if (!brush) return faint(frame, "Click a bin, or drag over several: their pixels light up in the picture.");
+    std::string text = value_in_words(what, brush->from);
+    if (brush->to != brush->from) text = legend_number(brush->from) + " to " + value_in_words(what, brush->to, 4);
+    ImGui::TextWrapped("lit up: %s: %s", text.c_str(), pixels(frame.pictures.brushed()).c_str());
+    if (what.words.empty() && brush->from < brush->to && ImGui::Button("Give all colours to these"))
+        overlay.range = {brush->from, brush->to};
+    if (what.words.empty() && brush->from < brush->to) flow("Light up nothing");
+    if (ImGui::Button("Light up nothing")) overlay.brush.reset();
 }
 
 /// Linear or logarithmic counts.
@@ -258,13 +319,17 @@ void draw_histogram(const Frame& frame, int axis) {
     list.AddRectFilled(plot.corner, {plot.corner.x + width, plot.corner.y + height}, frame.palette.canvas);
     draw_counts(list, plot, counts);
     draw_bins(list, plot);
+    draw_lit(list, plot, value_at(frame, axis, frame.state.pinned), value_at(frame, axis, frame.state.hovered));
     draw_bar(list, plot, what);
-    draw_ticks(list, plot);
+    if (what.words.empty()) draw_ticks(list, plot);
+    else draw_words(list, plot, what);
     draw_pins(list, plot);
     ImGui::PushID(axis);
     listen(list, plot, what);
     ImGui::PopID();
-    ImGui::SetCursorScreenPos({at.x, plot.corner.y + height + plot.bar + size * 1.4f});
+    const float below = what.words.empty() ? 1.4f : 2.4f;  // lines of text
+    ImGui::SetCursorScreenPos({at.x, plot.corner.y + height + plot.bar + size * below});
+    if (axis < 0 && !of.histogram.bins.empty()) say_brush(frame, what);
     if (axis >= 0 && axis < 2) return;
     say_pin(frame, frame.state.pinned, frame.palette.accent, "1");
     say_pin(frame, frame.state.compared, frame.palette.second, "2");

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "output/legend_number.hpp"
+#include "output/value_words.hpp"
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/ui/overlay/parts.hpp"
 
 namespace glassbox {
@@ -46,30 +48,23 @@ void contour(const Frame& frame, const Measurement& what) {
 }
 
 void counts(const Frame& frame, const Measurement& what, const Distribution& of) {
-    const auto [low, high] = of.coloring.limits();
-    const auto add = [&](std::int64_t count, Rgb color, const std::string& text) {
-        if (count > 0) swatch(color, text + ": " + pixels(count));
-    };
-    const double infinity = std::numeric_limits<double>::infinity();
-    const bool clipped = of.coloring.shown.has_value();
-    const auto beyond = [&](std::int64_t count, Rgb color, const std::string& text) {
-        // If the user has set a range, its colours are listed even if no value lies outside.
-        if (clipped) swatch(color, text + ": " + pixels(count));
-        else add(count, color, text);
-    };
-    if (what.scale == Scale::direction) {
-        if (const std::int64_t out = of.outside.below + of.outside.above; out > 0)
-            ImGui::TextWrapped("beyond −1 or 1, shown as if there: %s", pixels(out).c_str());
-    } else {
-        beyond(of.outside.below, of.coloring(-infinity), "below " + legend_number(low));
-        beyond(of.outside.above, of.coloring(infinity), "above " + legend_number(high));
-        add(of.summary.negative_infinite, of.coloring(-infinity), "−∞");
-        add(of.summary.positive_infinite, of.coloring(infinity), "∞");
+    if (of.coloring.shown) {
+        // Its colours are listed even if no value lies outside.
+        const auto [low, high] = of.coloring.limits();
+        const auto none = [&](std::string_view side) {
+            return std::ranges::none_of(of.words, [&](const ColorWord& word) { return word.text.starts_with(side); });
+        };
+        if (none("below")) swatch(below_color, "below " + legend_number(low) + ": no pixel");
+        if (none("above")) swatch(above_color, "above " + legend_number(high) + ": no pixel");
     }
-    swatch(no_value_color, "no value: " + (of.summary.missing == 0 ? "no pixel" : pixels(of.summary.missing)));
+    for (const auto& [color, text, count] : of.words)
+        swatch(color, text + ": " + (count == 0 ? "no pixel" : pixels(count)));
     if (of.summary.missing > 0)
         faint(frame,
               "Nothing was measured there. What came out as NaN counts as no value, too: the two look the same.");
+    const std::int64_t outside = of.outside.below + of.outside.above;
+    if (what.scale == Scale::direction && outside > 0)
+        ImGui::TextWrapped("beyond −1 or 1, shown as if there: %s", pixels(outside).c_str());
 }
 
 /// A number field that applies each change as it is typed. Returns whether the number has changed.
@@ -90,9 +85,33 @@ std::string_view told_range(const Measurement& what) {
     return "From the least to the greatest value";
 }
 
+/// How the values are spaced between the ends of the colours.
+void spacing(const Frame& frame, const Measurement& what, const Coloring& coloring) {
+    Overlay& overlay = frame.state.overlay;
+    const std::string usual =
+        fmt::format("automatic: {}", name_where(spacings, [&](Spacing each) { return each == spacing_of(what, {}); }));
+    const auto label = [&](Spacing each) {
+        return std::string(name_where(spacings, [&](Spacing other) { return other == each; }));
+    };
+    ImGui::TextUnformatted("Scale of the colours");
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##spacing", overlay.spacing ? label(*overlay.spacing).c_str() : usual.c_str())) {
+        if (ImGui::Selectable(usual.c_str(), !overlay.spacing)) overlay.spacing.reset();
+        for (const auto& each : spacings)
+            if (ImGui::Selectable(fmt::format("{}: {}", each.name, each.help).c_str(), overlay.spacing == each.value))
+                overlay.spacing = each.value;
+        ImGui::EndCombo();
+    }
+    if (overlay.spacing == Spacing::log && coloring.spacing != Spacing::log)
+        faint(frame, "Nothing is above 0: a linear scale is shown.");
+}
+
 void range(const Frame& frame, const Measurement& what, const Summary& summary, const Coloring& coloring) {
     Overlay& overlay = frame.state.overlay;
     if (what.scale == Scale::direction) return faint(frame, "The colours always run from −1 to 1.");
+    if (!what.words.empty()) return;
+    spacing(frame, what, coloring);
+    if (coloring.spacing == Spacing::percentile) return;
     ImGui::TextUnformatted("Range of the colours");
     if (ImGui::RadioButton("automatic", !overlay.range)) overlay.range.reset();
     ImGui::SameLine();
@@ -100,8 +119,7 @@ void range(const Frame& frame, const Measurement& what, const Summary& summary, 
     const bool wider = coloring.limits() != std::pair(summary.least, summary.greatest);
     if (summary.least < summary.greatest && wider && ImGui::Button("From the least to the greatest"))
         overlay.range = {summary.least, summary.greatest};
-    if (!overlay.range)
-        return faint(frame, std::string(told_range(what)) + ". Drag over the histogram to set another.");
+    if (!overlay.range) return faint(frame, std::string(told_range(what)) + ".");
 
     const ImGuiStyle& style = ImGui::GetStyle();
     const float labels = ImGui::CalcTextSize("from").x + ImGui::CalcTextSize("to").x + 2 * style.ItemInnerSpacing.x;
@@ -155,14 +173,14 @@ void faint(const Frame& frame, std::string_view text) {
 void draw_legend(const Frame& frame) {
     ViewerState& state = frame.state;
     opacity(state);
-    const MeasuredChannels* measured = frame.results.overlay.get();
+    ImGui::Checkbox("Legend on the picture", &state.overlay.legend_shown);
+    const MeasuredChannels* const measured = last_laid_over(state, frame.results);
     const std::vector<Distribution>& distributions = frame.pictures.distributions();
-    if (!measured || measured->what->name != state.overlay.measurement || distributions.empty())
-        return faint(frame, "… being measured");
+    if (!measured || distributions.empty()) return faint(frame, "… being measured");
     const Measurement& what = *measured->what;
     if (measured->factor > 1) {
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.warning);
-        ImGui::TextWrapped("… coarse: 1 pixel of %d so far, being measured", measured->factor * measured->factor);
+        ImGui::TextWrapped("… coarse: 1/%d of its width and height so far, being measured", measured->factor);
         ImGui::PopStyleColor();
     }
     const Summary& summary = distributions.front().summary;
@@ -178,9 +196,10 @@ void draw_legend(const Frame& frame) {
     if (what.scale == Scale::direction)
         for (int axis = 0; axis < 3; ++axis) draw_histogram(frame, axis);
     else draw_histogram(frame, -1);
-    if (summary.any_finite() && what.scale != Scale::direction) ends(summary, what.unit);
+    if (summary.any_finite() && what.scale != Scale::direction && what.words.empty()) ends(summary, what.unit);
     if (what.contour) contour(frame, what);
     counts(frame, what, distributions.front());
+    draw_found(frame, *measured);
     range(frame, what, summary, distributions.front().coloring);
 }
 

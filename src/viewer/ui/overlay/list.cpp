@@ -87,7 +87,10 @@ void draw_measurement_list(const Frame& frame) {
     ImGui::BeginChild("measurements", {0, std::max(window * .36f, 6 * line)}, true);
     const bool is_new = is_new_choice(state.overlay.measurement);
     const auto choose = [&](std::string_view name) {
-        if (state.overlay.measurement != name) state.overlay.range.reset();  // it was for the other measurement
+        if (state.overlay.measurement != name) {  // these were for the other measurement
+            state.overlay.range.reset();
+            state.overlay.spacing.reset();
+        }
         state.overlay.measurement = name;
     };
     const auto show = [&](std::string_view name, std::string_view unit, std::string_view explanation) {

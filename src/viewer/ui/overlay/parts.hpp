@@ -10,9 +10,12 @@ namespace glassbox {
 void draw_measurement_list(const Frame& frame);
 void draw_legend(const Frame& frame);  ///< opacity, range, what the colours stand for, and how often
 
-/// The values of one component, above its bar of colours; dragging over it sets the range. `axis` is 0 to 2 for a
+/// The values of one component, above its bar of colours; dragging over it brushes them. `axis` is 0 to 2 for a
 /// direction's x, y, z, and -1 otherwise.
 void draw_histogram(const Frame& frame, int axis);
+
+/// The worst, the least and the greatest values' pixels; a click pins one.
+void draw_found(const Frame& frame, const MeasuredChannels& measured);
 
 void draw_beside(const Frame& frame);
 

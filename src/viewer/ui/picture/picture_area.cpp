@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "output/legend_number.hpp"
+#include "output/value_words.hpp"
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/overlay/beside.hpp"
 #include "viewer/ui/panels.hpp"
+#include "viewer/ui/picture/picture_legend.hpp"
 #include "viewer/ui/steps/watch.hpp"
 
 namespace glassbox {
@@ -70,13 +73,19 @@ void draw_layers(const Canvas& canvas) {
     if (difference && results.other.image) draw_texture(canvas, pictures.difference(), tint);
     if (state.beside == Beside::nothing || state.beside == Beside::overlay) {
         const auto alpha = static_cast<int>(std::lround(255 * std::clamp(state.overlay.opacity, 0.0, 1.0)));
-        if (results.overlay) draw_texture(canvas, pictures.overlay(), IM_COL32(255, 255, 255, alpha));
+        if (last_laid_over(state, results)) draw_texture(canvas, pictures.overlay(), IM_COL32(255, 255, 255, alpha));
     }
     canvas.list.PopClipRect();
 }
 
+/// Whether what is seen has fewer pixels so far than it will have.
+bool is_coarse(const Frame& frame) {
+    const MeasuredChannels* const overlay = laid_over(frame.state, frame.results);
+    return frame.results.picture.factor > 1 || (overlay && overlay->factor > 1);
+}
+
 void draw_grid(const Canvas& canvas) {
-    if (canvas.frame.state.view.zoom < grid_from) return;
+    if (canvas.frame.state.view.zoom < grid_from || is_coarse(canvas.frame)) return;
     const Pixel first = canvas.first(), last = canvas.last();
     constexpr ImU32 faint = IM_COL32(128, 128, 128, 90);
     for (int x = first.x; x <= last.x + 1; ++x)
@@ -85,24 +94,31 @@ void draw_grid(const Canvas& canvas) {
         canvas.list.AddLine(canvas.at(first.x, y), canvas.at(last.x + 1, y), faint);
 }
 
-/// The lines of text in a pixel: its red, green and blue, or what is measured there.
+/// The lines of text in a pixel: its red, green and blue, or what is measured there, which is nothing until it is.
 std::vector<std::string> numbers_in(const Canvas& canvas, int x, int y, bool overlaid) {
     const Results& results = canvas.frame.results;
     std::vector<std::string> lines;
     if (overlaid) {
-        for (const Channel& plane : results.overlay->channels) {
-            const double value = plane.at({x, y});
-            lines.push_back(std::isnan(value) ? "–" : legend_number(value));
-        }
+        if (const MeasuredChannels* const measured = wholly_laid_over(canvas.frame.state, results))
+            for (const Channel& plane : measured->channels)
+                for (std::string& line : value_in_lines(*measured->what, plane.at({x, y})))
+                    lines.push_back(std::move(line));
         return lines;
     }
     const Rgb c = results.picture.image->at(x, y);
     return {std::to_string(c.red), std::to_string(c.green), std::to_string(c.blue)};
 }
 
-/// Returns black or white, whichever is readable on this colour.
-ImU32 ink_on(Rgb c) {
-    return 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue > 140 ? IM_COL32(0, 0, 0, 255) : IM_COL32_WHITE;
+/// Whether black is readable on this colour, and white is not.
+bool is_light(Rgb c) { return 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue > 140; }
+
+/// Whether what the overlay draws in a pixel is light.
+bool is_light_there(const Frame& frame, Pixel pixel) {
+    const MeasuredChannels* const measured = wholly_laid_over(frame.state, frame.results);
+    if (!measured || measured->channels.size() > 1 || frame.pictures.distributions().empty()) return false;
+    const double value = measured->channels.front().at(pixel);
+    const Brush* const brush = brush_of(frame.state.overlay);
+    return (!brush || is_brushed(*brush, value)) && is_light(frame.pictures.distributions().front().coloring(value));
 }
 
 void draw_numbers(const Canvas& canvas) {
@@ -113,9 +129,7 @@ void draw_numbers(const Canvas& canvas) {
     if (zoom < numbers_from || !picture.image || picture.image->width != scene.width ||
         picture.image->height != scene.height)
         return;
-    const auto& overlay = frame.results.overlay;
-    const bool measured = overlay && overlay->factor == 1 && overlay->channels.front().width == scene.width &&
-                          overlay->channels.front().height == scene.height;
+    const bool measured = !frame.state.overlay.measurement.empty();
     const Pixel first = canvas.first(), last = canvas.last();
     const float room = static_cast<float>(zoom);
     for (int y = first.y; y <= last.y; ++y)
@@ -125,18 +139,19 @@ void draw_numbers(const Canvas& canvas) {
                                   (frame.state.beside == Beside::nothing ||
                                    (frame.state.beside == Beside::overlay && corner.x + room / 2 > canvas.split()));
             const std::vector<std::string> lines = numbers_in(canvas, x, y, overlaid);
+            if (lines.empty()) continue;
             float widest = 1;
             for (const std::string& line : lines)
                 widest = std::max(widest, frame.fonts.mono->CalcTextSizeA(100, 1e9f, 0, line.c_str()).x / 100);
             const float size = std::min({room * .9f / widest, room * .9f / static_cast<float>(lines.size()), 24.f});
             const float top = corner.y + (room - size * static_cast<float>(lines.size())) / 2;
+            const bool light = overlaid ? is_light_there(frame, {x, y}) : is_light(picture.image->at(x, y));
+            const ImU32 black = IM_COL32(0, 0, 0, 255), ink = light ? black : IM_COL32_WHITE;
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 const ImVec2 place{corner.x + room * .05f, top + size * static_cast<float>(i)};
-                if (overlaid)  // whatever the colour below
-                    canvas.list.AddText(frame.fonts.mono, size, {place.x + 1, place.y + 1}, IM_COL32(0, 0, 0, 255),
-                                        lines[i].c_str());
-                canvas.list.AddText(frame.fonts.mono, size, place,
-                                    overlaid ? IM_COL32_WHITE : ink_on(picture.image->at(x, y)), lines[i].c_str());
+                if (overlaid && !light)  // through which the picture may be seen
+                    canvas.list.AddText(frame.fonts.mono, size, {place.x + 1, place.y + 1}, black, lines[i].c_str());
+                canvas.list.AddText(frame.fonts.mono, size, place, ink, lines[i].c_str());
             }
         }
 }
@@ -293,6 +308,7 @@ void draw_picture(const Frame& frame) {
     if (state.pinned) draw_pin(canvas, *state.pinned, frame.palette.accent, "1");
     draw_split(canvas);
     draw_labels(canvas);
+    draw_picture_legend(frame, canvas.corner, size);
     draw_looked_at_banner(frame, canvas.corner, size);
     if (shows_mine(state)) draw_mine_banner(frame, canvas.corner, size, canvas.split());
     canvas.list.PopClipRect();

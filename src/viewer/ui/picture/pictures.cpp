@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "output/coloring.hpp"
+#include "viewer/model/overlay/enlarged.hpp"
+#include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox {
@@ -50,11 +52,59 @@ std::size_t on_image(std::size_t shown, const Image& image, const ViewerState& s
                                     pixels(state));
 }
 
+/// Whether there is a newer version than the one that was had.
+bool renewed(std::uint64_t& have, std::uint64_t now) { return std::exchange(have, now) != now; }
+
+/// An overlay's colours as they are drawn: what is brushed stands out, and what must be seen is large enough.
+std::vector<Rgba> marked(const Image& colors, const MeasuredChannels& overlay, const Overlay& chosen, int side) {
+    constexpr int dimmed = 4;  // as bright as 1/4
+    const Channel& channel = overlay.channels.front();
+    std::vector<Rgba> pixels = opaque(colors);
+    if (overlay.channels.size() > 1) return pixels;
+    const Brush* const brush = brush_of(chosen);
+    if (brush)
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            if (!is_brushed(*brush, channel.values[i])) {
+                Rgba& c = pixels[i];
+                c = {static_cast<std::uint8_t>(c.red / dimmed), static_cast<std::uint8_t>(c.green / dimmed),
+                     static_cast<std::uint8_t>(c.blue / dimmed), 255};
+            }
+    const std::vector<std::uint8_t> ranks = ranks_of(*overlay.what, channel, chosen);
+    if (side <= 1 || std::ranges::all_of(ranks, [](std::uint8_t rank) { return rank == 0; })) return pixels;
+    const std::vector<std::uint32_t> drawn = enlarged(ranks, static_cast<std::size_t>(channel.width), side);
+    std::vector<Rgba> result;
+    result.reserve(pixels.size());
+    for (const std::uint32_t pixel : drawn) result.push_back(pixels[pixel]);
+    return result;
+}
+
 }  // namespace
 
-void Pictures::update(const ViewerState& state, const Results& results) {
-    const auto renewed = [](std::uint64_t& have, std::uint64_t now) { return std::exchange(have, now) != now; };
+void Pictures::update_overlay(const ViewerState& state, const Results& results) {
+    if (!results.overlay) return distributions_.clear();
+    const MeasuredChannels& overlay = *results.overlay;
+    const Look look{state.overlay.range, state.overlay.spacing};
+    const int side = (side_to_be_seen(state.view.zoom) + overlay.factor - 1) / overlay.factor;
+    const Marks marks{state.overlay.brush, side};
+    const bool is_new = renewed(overlay_serial_, results.overlay_serial);
+    const bool other_look = std::exchange(look_, look) != look;
+    const bool other_marks = std::exchange(marks_, marks) != marks;
+    const bool recolor = is_new || other_look || distributions_.empty();
+    if (recolor) {
+        overlay_colors_ = colored({overlay.what, overlay.channels, look.spacing}, look.range);
+        distributions_.clear();
+        for (const Channel& channel : overlay.channels)
+            distributions_.push_back(distribution(*overlay.what, channel, look.range, look.spacing));
+    }
+    if (!recolor && !other_marks) return;
+    overlay_.fill(overlay_colors_.width, overlay_colors_.height, marked(overlay_colors_, overlay, state.overlay, side));
+    const Brush* const brush = brush_of(state.overlay);
+    brushed_ = !brush ? 0 : std::ranges::count_if(overlay.channels.front().values, [&](double value) {
+        return is_brushed(*brush, value);
+    });
+}
 
+void Pictures::update(const ViewerState& state, const Results& results) {
     const auto shown = state.watching.on ? std::optional(static_cast<std::size_t>(state.watching.shown)) : std::nullopt;
     const bool other_watched = std::exchange(watched_, shown) != shown;
     if ((renewed(picture_serial_, results.picture_serial) || other_watched) && results.picture.image) {
@@ -63,15 +113,7 @@ void Pictures::update(const ViewerState& state, const Results& results) {
         else fill(picture_, image);
     }
 
-    const bool other_range = std::exchange(overlay_range_, state.overlay.range) != state.overlay.range;
-    const bool other_overlay = renewed(overlay_serial_, results.overlay_serial);
-    if (!results.overlay) distributions_.clear();
-    else if (other_overlay || other_range || distributions_.empty()) {
-        const auto& [what, channels, factor] = *results.overlay;
-        fill(overlay_, colored({what, channels}, state.overlay.range));
-        distributions_.clear();
-        for (const Channel& plane : channels) distributions_.push_back(distribution(*what, plane, state.overlay.range));
-    }
+    update_overlay(state, results);
 
     const Picture &one = results.picture, &other = results.other;
     if (renewed(other_serial_, results.other_serial) && other.image) {

@@ -24,6 +24,9 @@ public:
     /// What the overlay's colours stand for, one for each plane; empty while nothing is measured.
     const std::vector<Distribution>& distributions() const { return distributions_; }
 
+    /// How many pixels of the overlay are brushed.
+    std::int64_t brushed() const { return brushed_; }
+
     /// How much the final pictures differ; none until both are there.
     struct Differing {
         std::int64_t pixels;
@@ -37,7 +40,24 @@ private:
     std::uint64_t picture_serial_ = 0, overlay_serial_ = 0, other_serial_ = 0, difference_serial_ = 0;
     std::vector<Distribution> distributions_;
     std::optional<Differing> differing_;
-    SetRange overlay_range_;
+
+    /// By what an overlay's colours were chosen, and how they were drawn.
+    struct Look {
+        SetRange range;
+        SetSpacing spacing;
+        bool operator==(const Look&) const = default;
+    };
+    struct Marks {
+        std::optional<Brush> brush;
+        int side = 1;  ///< of a pixel that must be seen, in pixels
+        bool operator==(const Marks&) const = default;
+    };
+    Look look_;
+    Marks marks_;
+    Image overlay_colors_{0, 0};
+    std::int64_t brushed_ = 0;
+
+    void update_overlay(const ViewerState& state, const Results& results);
     std::optional<std::size_t> watched_;  ///< pixels, while the tracing is watched
 };
 

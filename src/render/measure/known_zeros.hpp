@@ -1,0 +1,28 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include <ray.hpp>
+#include <triangle.hpp>
+
+#include "render/options.hpp"
+#include "scene/scene.hpp"
+
+namespace glassbox {
+
+/// Asks exact arithmetic about side products that a scalar computed as 0: whether they are 0, of the numbers as that
+/// scalar has them, or only came out so.
+class KnownZeros {
+public:
+    KnownZeros(const Scene& scene, const Options& options);
+
+    /// Whether of each of these triangles, as the scalar sees them from the ray's start, all three signs are what they
+    /// were computed as.
+    bool are_known(const Ray<double>& ray, std::span<const Triangle<long double>> seen) const;
+
+private:
+    std::vector<Triangle<double>> triangles_;
+    Scalar scalar_;
+};
+
+}  // namespace glassbox

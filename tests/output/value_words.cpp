@@ -1,0 +1,56 @@
+#include "output/value_words.hpp"
+
+#include <doctest.h>
+
+#include <limits>
+#include <vector>
+
+using namespace glassbox;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const Measurement& named(std::string_view name) { return *find_measurement(name); }
+
+std::vector<std::string> told(const Measurement& what, std::vector<double> values) {
+    const int width = static_cast<int>(values.size());
+    const Channel channel{"value", width, 1, std::move(values)};
+    const Summary summary = summarized(channel);
+    std::vector<std::string> texts;
+    for (const ColorWord& word : color_words(what, channel, summary, coloring_of(what, summary)))
+        texts.push_back(word.text + " " + std::to_string(word.pixels));
+    return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a verdict is a word") {
+    CHECK(value_in_words(named("verdict"), 0) == "right");
+    CHECK(value_in_words(named("verdict"), 3) == "wrong surface");
+    CHECK(value_in_words(named("verdict"), no_value) == "no value");
+    CHECK(value_in_short(named("verdict"), 2) == "wrong miss");
+    CHECK(value_in_lines(named("verdict"), 2) == Texts{"wrong", "miss"});
+    CHECK(told(named("verdict"), {0, 0, 2, no_value}) ==
+          Texts{"right 2", "wrong hit 0", "wrong miss 1", "wrong surface 0", "no value 1"});
+}
+
+TEST_CASE("an infinite margin says what it means; a number has its unit") {
+    CHECK(value_in_words(named("margin"), infinity) == "∞ (exactly 0, and known to be)");
+    CHECK(value_in_words(named("margin"), -infinity) == "−∞ (computed as 0, or too large: nothing is known)");
+    CHECK(value_in_words(named("margin"), 13.25) == "13.25 log10");
+    CHECK(value_in_short(named("margin"), -infinity) == "−∞");
+    CHECK(value_in_short(named("margin"), no_value) == "–");
+    CHECK(value_in_words(named("deficit"), -infinity) == "−∞ (a difference of 0: all signs agree)");
+    CHECK(value_in_words(named("depth"), infinity) == "∞");
+}
+
+TEST_CASE("what stands beside a scale: what lies outside, what is infinite, what has no value") {
+    CHECK(told(named("margin"), {1, 2}) == Texts{"no value 0"});
+    CHECK(told(named("margin"), {-infinity, infinity, infinity, -7, 99, 3}) ==
+          Texts{"below 0: not decided 1", "below −4 1", "above 16 1",
+                "−∞ (computed as 0, or too large: nothing is known) 1", "∞ (exactly 0, and known to be) 2",
+                "no value 0"});
+}
