@@ -5,6 +5,7 @@
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 
 namespace glassbox {
 
@@ -55,10 +56,32 @@ void zoom(State& state, double to) {
 template <StepTo to>
 void step(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
-    state.playing = false;
     state.page = Page::steps;
-    state.step = stepped(steps_shown(state, results), state.step, to);
+    go(state, results, to);
 }
+
+/// Does something on the page of steps.
+template <void (*act)(State&, const Results&)>
+void on_steps(State& state, const Results& results, const KeyPress&) {
+    if (!results.story) return;
+    state.page = Page::steps;
+    act(state, results);
+}
+
+void to_operand(State& state, const Results& results, const KeyPress& press) {
+    if (!results.story) return;
+    state.page = Page::steps;
+    jump_to_operand(state, results, press.shift);
+}
+
+void jump_again(State& state, const Results& results, const KeyPress& press) {
+    if (!results.story) return;
+    state.page = Page::steps;
+    if (press.shift) jump_forth(state, results);
+    else jump_back(state, results);
+}
+
+void only_feeding(State& state, const Results& results) { show_only_feeding(state, results, !state.stepping.fed); }
 
 void play(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
@@ -131,7 +154,15 @@ constexpr KeyBinding bindings[] = {
     {character('['), "[", "a step back", "Steps", step<StepTo::back>},
     {named(Key::home), "Home", "to the first step", "Steps", step<StepTo::first>},
     {named(Key::end), "End", "to the last step", "Steps", step<StepTo::last>},
-    {character('n'), "n", "to the next failed test", "Steps", step<StepTo::next_failed>},
+    {character('i'), "i", "into what the line of the call stack calls", "Steps", on_steps<step_into>},
+    {character('o'), "o", "over that line", "Steps", on_steps<step_over>},
+    {character('u'), "u", "out of the function", "Steps", on_steps<step_out>},
+    {character('e'), "e", "to the step that made the first operand (with Shift: the second)", "Steps", to_operand},
+    {character('j'), "j", "back to where you jumped from (with Shift: forth again)", "Steps", jump_again},
+    {character('v'), "v", "only the steps that feed this number, or all", "Steps", on_steps<only_feeding>},
+    {character('n'), "n", "to the next no: a condition that does not hold, a miss", "Steps", step<StepTo::next_no>},
+    {character('x'), "x", "to what failed next: a wrong answer, a number too large", "Steps",
+     step<StepTo::next_failed>},
     {character('c'), "c", "to the next cancellation", "Steps", step<StepTo::next_cancellation>},
 
     {character('p'), "p", "predict first: be asked before each test, or not", "Steps", predict_or_not},

@@ -19,6 +19,10 @@ constexpr Palette on_dark{
     .a = IM_COL32(86, 180, 233, 255),
     .b = IM_COL32(230, 159, 0, 255),
     .c = IM_COL32(225, 140, 190, 255),
+    .keyword = IM_COL32(140, 195, 255, 255),
+    .number = IM_COL32(240, 190, 120, 255),
+    .string = IM_COL32(160, 215, 150, 255),
+    .comment = IM_COL32(180, 180, 186, 255),
     .box = IM_COL32(230, 159, 0, 255),
 };
 constexpr Palette on_light{
@@ -34,6 +38,10 @@ constexpr Palette on_light{
     .a = IM_COL32(0, 100, 170, 255),
     .b = IM_COL32(165, 105, 0, 255),
     .c = IM_COL32(170, 60, 130, 255),
+    .keyword = IM_COL32(0, 60, 150, 255),
+    .number = IM_COL32(120, 60, 0, 255),
+    .string = IM_COL32(20, 90, 30, 255),
+    .comment = IM_COL32(80, 80, 86, 255),
     .box = IM_COL32(165, 105, 0, 255),
 };
 

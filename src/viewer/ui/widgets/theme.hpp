@@ -11,10 +11,11 @@ struct Palette {
     ImU32 warning;         ///< something needs attention
     ImU32 accent, second;  ///< the pinned pixel and its ray; the second pin's
     ImU32 text, faint_text;
-    ImU32 canvas;   ///< behind everything
-    ImU32 line;     ///< of a grid, a frame
-    ImU32 a, b, c;  ///< the three side products and their edges
-    ImU32 box;      ///< a box of the engine's that the pinned ray meets
+    ImU32 canvas;                            ///< behind everything
+    ImU32 line;                              ///< of a grid, a frame
+    ImU32 a, b, c;                           ///< the three side products and their edges
+    ImU32 keyword, number, string, comment;  ///< of source code, also on the marked line
+    ImU32 box;                               ///< a box of the engine's that the pinned ray meets
 };
 
 /// Sets Dear ImGui's style for this text size in pixels, and returns the colours that go with it.
