@@ -89,9 +89,10 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
     story.traced = scene.background;
     std::optional<ToldTest> test_of_hit;
     if (options.stage == 1) {
-        auto [color, rounded, steps] = ray_story(said, options.scalar, story.column, story.row, detail);
+        auto [color, rounded, steps, calls] = ray_story(said, options.scalar, story.column, story.row, detail);
         story.ray_color = color;
         story.ray_steps = std::move(steps);
+        story.ray_calls = std::move(calls);
         story.traced = rounded;
     } else if (said.nearest) {
         auto [hit, color, test] = hit_story(scene, surfaces, options, said, colors[said.nearest->surface], detail);

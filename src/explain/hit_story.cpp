@@ -96,13 +96,11 @@ Shade shade_story(const Scene& scene, const Lookup& look, const NamingProbe<Real
             .sum = look(s.sum)};
 }
 
-/// Finds the step that lost the most bits beyond those that its operands had lost.
+/// Finds the step that lost the most bits of its own.
 void find_worst(FirstHit& hit) {
-    for (std::size_t i = 0; i < hit.steps.size(); ++i) {
-        const double loss = bits_lost_by(hit.steps, hit.steps[i]);
-        if (!(loss > hit.worst_loss)) continue;
-        hit.worst = static_cast<StepNumber>(i);
-        hit.worst_loss = loss;
+    for (const StepNumber worst : worst_losses(hit.steps, 1)) {
+        hit.worst = worst;
+        hit.worst_loss = hit.steps[worst].checked.own_loss;
     }
 }
 
@@ -141,6 +139,7 @@ ToldHit told_hit(const Scene& scene, const Options& options, const TracedPixel& 
     hit.normal = look(n);
     if (shade) hit.shade = shade_story(scene, look, test.heard, *shade, own);
     hit.steps = look.steps(step_count);
+    hit.calls = tape.calls();
     hit.tested_before = test.step_count;
     find_worst(hit);
     return {std::move(hit), shade ? shade->color : own,
@@ -169,7 +168,7 @@ ToldRay ray_story(const TracedPixel& pixel, Scalar scalar, int column, int row, 
         name(color, "colour");
         const Rgb bytes = rounded(color);
         const Lookup look(tape, detail);
-        return {look(color), bytes, look.steps(tape.steps().size())};
+        return {look(color), bytes, look.steps(tape.steps().size()), tape.calls()};
     });
 }
 

@@ -22,6 +22,7 @@ struct ToldRay {
     story::Vector color;
     Rgb rounded;
     std::vector<story::StoryStep> steps;
+    std::vector<Call> calls;  ///< in which they were done
 };
 ToldRay ray_story(const TracedPixel& pixel, Scalar scalar, int column, int row, Detail detail);
 

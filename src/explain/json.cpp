@@ -129,6 +129,10 @@ Json json(const StoryStep& told, std::size_t number) {
     row["file"] = source(step.file);
     row["line"] = step.line;
     row.update(json(checked));
+    if (count > 0 && !is_comparison(step.operation)) {
+        row["own_bits_lost"] = checked.own_loss;
+        row["inherited_bits_lost"] = checked.inherited_loss;
+    }
     return row;
 }
 

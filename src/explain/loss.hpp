@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "explain/story.hpp"
 
@@ -15,6 +16,17 @@ inline double bits_lost_by(std::span<const story::StoryStep> steps, const story:
     const double left = lost(told.step.left), right = lost(told.step.right);
     if (std::isnan(left) || std::isnan(right)) return 0;
     return std::max(0.0, told.checked.bits_lost - std::max(left, right));
+}
+
+/// The operations that lose bits of their own, the greatest loss first, equal ones in their order; at most that many.
+inline std::vector<StepNumber> worst_losses(std::span<const story::StoryStep> steps, std::size_t most) {
+    std::vector<StepNumber> worst;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        if (steps[i].checked.own_loss > 0) worst.push_back(static_cast<StepNumber>(i));
+    const auto more = [&](StepNumber a, StepNumber b) { return steps[a].checked.own_loss > steps[b].checked.own_loss; };
+    std::stable_sort(worst.begin(), worst.end(), more);
+    worst.resize(std::min(worst.size(), most));
+    return worst;
 }
 
 /// The loss, in bits, from which a sum or difference counts as a cancellation: a correctly rounded result of exact

@@ -68,6 +68,14 @@ std::string sign_and_lost(const Number& n) {
                        lost(n));
 }
 
+std::string own_and_inherited(const Number& n) {
+    if (std::isnan(n.own_loss) || std::isnan(n.inherited_loss)) return "its own loss is not known";
+    const auto bits = [](double loss) { return loss == 0 ? std::string("none") : fmt::format("{:.1f} bits", loss); };
+    return fmt::format(
+        "{} of its own, {} inherited", bits(n.own_loss),
+        n.own_loss == 0 || n.inherited_loss == 0 ? bits(n.inherited_loss) : fmt::format("{:.1f}", n.inherited_loss));
+}
+
 std::string why(const Surface& surface, const Story& story) {
     const auto t = [&] { return surface.t ? fmt::format("t = {}", short_number(surface.t->value)) : std::string(); };
     const std::size_t hit = story.hit ? story.hit->surface : 0;

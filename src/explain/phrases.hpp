@@ -44,6 +44,9 @@ std::string lost(const story::Number& number);
 /// computed one is another.
 std::string sign_and_lost(const story::Number& number);
 
+/// An operation's two losses: "9.0 bits of its own, none inherited"; "its own loss is not known".
+std::string own_and_inherited(const story::Number& number);
+
 /// Why a surface was met, or not: "missed: side products of both signs, the line passes outside".
 std::string why(const story::Surface& surface, const Story& story);
 

@@ -29,7 +29,7 @@ bool is_zero(const StoryStep& step) { return step.step.operation == Operation::c
 /// Whether a comparison with 0 decides by that step.
 bool is_compared_with_zero(std::span<const StoryStep> tape, StepNumber number) {
     return std::any_of(tape.begin() + number, tape.end(), [&](const StoryStep& later) {
-        const auto& [operation, left, right, value, file, line] = later.step;
+        const auto& [operation, left, right, value, file, line, call] = later.step;
         if (!is_comparison(operation)) return false;
         return (left == number && is_zero(tape[right])) || (right == number && is_zero(tape[left]));
     });

@@ -296,15 +296,82 @@ Checked checked(const Step& step, const Bounded& bound, const MaybeTrue& truth, 
     return result;
 }
 
+/// Calls `use` with 0 in the scalar of that precision.
+template <class Use>
+auto in_scalar(const Precision& precision, const Use& use) {
+    if (precision == Precision::of<float>()) return use(0.f);
+    if (precision == Precision::of<double>()) return use(0.0);
+    return use(0.0L);
+}
+
+/// The scalar's number that is nearest to a true value, whose step has been checked; none if its sign is not known.
+std::optional<long double> nearest(const MaybeTrue& truth, const Checked& number, const Precision& precision) {
+    if (!truth || !truth->sign()) return {};
+    if (truth->is_exact() && number.distance == 0 && number.bits_lost == 0) return number.recorded;
+    const Long value = truth->to_long().value;
+    return in_scalar(precision, [&]<class Real>(Real) { return static_cast<long double>(static_cast<Real>(value)); });
+}
+
+/// What the scalar makes of the operation, if not a comparison, on these operands.
+long double computed(Operation operation, long double left, long double right, const Precision& precision) {
+    return in_scalar(precision, [&]<class Real>(Real) -> long double {
+        const auto a = static_cast<Real>(left), b = static_cast<Real>(right);
+        switch (operation) {
+            case Operation::add:
+                return a + b;
+            case Operation::subtract:
+                return a - b;
+            case Operation::multiply:
+                return a * b;
+            case Operation::divide:
+                return a / b;
+            case Operation::negate:
+                return -a;
+            case Operation::absolute:
+                return std::abs(a);
+            case Operation::square_root:
+                return std::sqrt(a);
+            case Operation::power:
+                return std::pow(a, b);
+            default:
+                return a;  // rounded to the scalar
+        }
+    });
+}
+
+/// How many of a number's bits are lost at the distance of another one.
+double bits_between(long double number, long double other, const Precision& precision) {
+    if (number == other) return 0;
+    if (!std::isfinite(number) || !std::isfinite(other) || number == 0) return precision.digits;
+    return lost(number, abs(Long(number) - Long(other)), precision);
+}
+
+/// Tells the own loss from the inherited one. `left` and `right` are the nearest numbers to the true operands, `a` and
+/// `b` the computed ones.
+void tell_losses(Checked& told, const Step& step, const MaybeTrue& truth, std::optional<long double> left,
+                 std::optional<long double> right, long double a, long double b, const Precision& precision) {
+    if (!truth || !truth->sign() || !left || !right) {
+        told.own_loss = told.inherited_loss = not_a_number;
+    } else if (*left == a && *right == b) {
+        told.own_loss = told.bits_lost;
+    } else {
+        const long double best = computed(step.operation, *left, *right, precision);
+        told.own_loss = checked(best, *truth, precision).bits_lost;
+        told.inherited_loss = bits_between(step.value, best, precision);
+    }
+}
+
 }  // namespace
 
 std::vector<Checked> replay(const Tape& tape) {
     std::vector<Checked> all;
     std::vector<Bounded> bounds;
     std::vector<MaybeTrue> truths;
+    std::vector<std::optional<long double>> best;  // the nearest numbers to the truths
     all.reserve(tape.steps().size());
     bounds.reserve(tape.steps().size());
     truths.reserve(tape.steps().size());
+    best.reserve(tape.steps().size());
     const Bounded no_bound;
     const MaybeTrue no_truth;
     for (const Step& step : tape.steps()) {
@@ -315,6 +382,10 @@ std::vector<Checked> replay(const Tape& tape) {
         truths.push_back(
             truth_of(step, number, starts ? no_truth : truths[step.left], starts ? no_truth : truths[step.right]));
         all.push_back(checked(step, bounds.back(), truths.back(), tape.precision()));
+        best.push_back(nearest(truths.back(), all.back(), tape.precision()));
+        if (starts || is_comparison(step.operation)) continue;
+        tell_losses(all.back(), step, truths.back(), best[step.left], best[step.right], tape[step.left].value,
+                    tape[step.right].value, tape.precision());
     }
     return all;
 }

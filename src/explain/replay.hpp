@@ -19,6 +19,9 @@ enum class Known {
 ///
 /// Long floats may leave open whether a true value is 0: then truth and sign are 0, and bits_lost is NaN. The distance
 /// is 0 if they cannot tell the true value from the number.
+///
+/// The error is the sum of an own and an inherited one, with their signs. Let `best` be the scalar's result for the
+/// nearest operands that it has to the true ones: own is best − truth, inherited is value − best.
 struct Checked {
     double value = 0;          ///< as recorded; a long double rounded to double
     long double recorded = 0;  ///< the same, to the last digit
@@ -29,6 +32,10 @@ struct Checked {
     double bits_lost = 0;  ///< log2(ulps + 1), the distance in units of the value's last place; at most its digits
     int sign = 0;          ///< of the truth
     Known known = Known::exactly;
+    double own_loss = 0;  ///< of an operation: the bits that it would lose if its operands were the true ones, each
+                          ///< rounded once to the scalar; NaN if that is not known
+    double inherited_loss = 0;  ///< how far it is from that result, in the same bits: what its operands' errors beyond
+                                ///< such a rounding make of it
 };
 
 /// A recorded number without a check.

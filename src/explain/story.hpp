@@ -88,6 +88,7 @@ struct Surface {
     bool needed_exact = false;                      ///< error bounds could not decide whether it is met
     std::variant<SphereTest, TriangleTest> test;
     std::vector<StoryStep> steps;  ///< of the test by the chosen rule
+    std::vector<Call> calls;       ///< in which they were done
 };
 
 /// One term of the shading: k, its value at this point, and its light.
@@ -118,8 +119,9 @@ struct FirstHit {
     Vector point, normal;
     std::optional<Shade> shade;       ///< from stage 4
     std::vector<StoryStep> steps;     ///< from the surface's test on
+    std::vector<Call> calls;          ///< in which they were done
     std::size_t tested_before = 0;    ///< how many of them repeat that test, as in the surface's own steps
-    std::optional<StepNumber> worst;  ///< the step that lost the most bits beyond those of its operands
+    std::optional<StepNumber> worst;  ///< the step that lost the most bits of its own
     double worst_loss = 0;            ///< how many bits
 };
 
@@ -169,6 +171,7 @@ struct Story {
     Ray<double> ray;
     std::optional<story::Vector> ray_color;          ///< stage 1: the direction as a colour
     std::vector<story::StoryStep> ray_steps;         ///< its computation
+    std::vector<Call> ray_calls;                     ///< in which it was done
     std::size_t in_all = 0;                          ///< surfaces
     std::size_t tested = 0;                          ///< of these, on the way to what the ray meets first
     std::optional<std::size_t> nodes, boxes_missed;  ///< of the engine's hierarchy: visited; their boxes, missed

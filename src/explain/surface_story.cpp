@@ -145,6 +145,7 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     result.test = test;
     result.t = by_rule.t;
     result.steps = std::move(by_rule.steps);
+    result.calls = std::move(by_rule.calls);
     const Hit<long double>* const hit = met(pixel, number);
     if (!hit) {
         result.fate = why_missed(test, result.t, options);

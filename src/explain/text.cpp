@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "explain/scalar_of_steps.hpp"
 #include "explain/verdict_phrases.hpp"
@@ -196,8 +197,16 @@ void tell_losses(Page& page, const FirstHit& hit) {
     const auto& [step, name, checked] = hit.steps[*hit.worst];
     page.line("the most was lost by  {} = {}{}", operation(hit.steps, step), short_number(checked.value),
               name.empty() ? "" : fmt::format("  ({})", name));
-    page.line("{:<21} {:.1f} bits, {}", "", hit.worst_loss, place(step));
+    page.line("{:<21} {}, {}", "", own_and_inherited(checked), place(step));
     page.line("{:<21} truly {}, computed {:.17g}", "", truth(checked), checked.value);
+    constexpr std::size_t most_told = 4;
+    const std::vector<StepNumber> worst = worst_losses(hit.steps, most_told);
+    for (std::size_t i = 1; i < worst.size(); ++i) {
+        const StoryStep& next = hit.steps[worst[i]];
+        page.line("{:<21} {} = {}{}: {}", i == 1 ? "then by" : "", operation(hit.steps, next.step),
+                  short_number(next.checked.value), next.name.empty() ? "" : fmt::format("  ({})", next.name),
+                  own_and_inherited(next.checked));
+    }
 }
 
 void tell_hit(Page& page, const Story& story, const FirstHit& hit) {

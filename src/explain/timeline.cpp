@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <tuple>
@@ -10,6 +11,7 @@
 
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
+#include "explain/reading_order.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 
@@ -48,7 +50,7 @@ std::vector<StepNumber> first_of_the_same(Steps steps) {
     std::map<std::tuple<Operation, StepNumber, StepNumber, long double>, StepNumber> seen;
     std::vector<StepNumber> first(steps.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const auto& [operation, left, right, value, file, line] = steps[i].step;
+        const auto& [operation, left, right, value, file, line, call] = steps[i].step;
         const auto number = static_cast<StepNumber>(i);
         first[i] = operation == Operation::input ? number
                    : operation == Operation::constant
@@ -63,6 +65,13 @@ std::string what_happens(Steps steps, const StoryStep& told) {
     return is_comparison(told.step.operation) ? done : fmt::format("{} = {}", short_number(told.checked.value), done);
 }
 
+/// Whether a comparison does not answer truly, or a number is not finite.
+bool went_wrong(const StoryStep& told) {
+    const Checked& checked = told.checked;
+    if (!is_comparison(told.step.operation)) return !std::isfinite(checked.recorded);
+    return checked.known != Known::not_at_all && checked.truth != checked.value;
+}
+
 /// Collects the events of a story.
 class Teller {
 public:
@@ -74,6 +83,7 @@ public:
         if (story_.options.stage > 1) tell_nearest();
         if (story_.hit) tell_hit();
         tell_pixel();
+        find_makers();
         return std::move(events_);
     }
 
@@ -90,29 +100,28 @@ private:
         event.group = group_;
         event.what = std::move(what);
         event.holds = holds;
-        event.failed = holds == false;
         events_.push_back(std::move(event));
     }
 
     /// `is_told` chooses among the steps, and may begin a new group.
     template <class IsTold>
-    void tell_steps(Steps steps, std::optional<std::size_t> row, const IsTold& is_told) {
+    void tell_steps(Steps steps, std::span<const Call> calls, std::optional<std::size_t> row, const IsTold& is_told) {
         const std::vector<Symbol> written = symbols(steps);
         const auto served = leads_to(steps, [](const StoryStep& s) { return !s.name.empty() || !is_general(s.step); });
-        for (std::size_t i = 0; i < steps.size(); ++i) {
+        for (const StepNumber i : in_reading_order(steps, calls)) {
             const StoryStep& told = steps[i];
-            const int count = operands(told.step.operation);
-            if (count == 0 || !is_told(i)) continue;
+            if (!is_told(i)) continue;
             const bool compares = is_comparison(told.step.operation);
             add(what_happens(steps, told), compares ? std::optional(told.checked.value != 0) : std::nullopt);
             Event& event = events_.back();
             event.formula = written[i].result.empty() ? written[i].formula : written[i].result;
             event.has_values = written[i].has_values;
             event.cancellation = is_cancellation(steps, told);
-            event.place = StepPlace{row, static_cast<StepNumber>(i)};
+            event.failed = went_wrong(told);
+            event.place = StepPlace{row, i};
             if (served[i]) event.serves = StepPlace{row, *served[i]};
             event.left = written[told.step.left].written;
-            if (count == 2) event.right = written[told.step.right].written;
+            if (operands(told.step.operation) == 2) event.right = written[told.step.right].written;
         }
     }
 
@@ -122,7 +131,7 @@ private:
                         triple(story_.ray.D)),
             {}, {"/ray.hpp", "Ray"});
         events_.back().formula = "f(t) = P + tD";
-        tell_steps(story_.ray_steps, {}, [](std::size_t) { return true; });
+        tell_steps(story_.ray_steps, story_.ray_calls, {}, [](std::size_t) { return true; });
     }
 
     void tell_surface(std::size_t row) {
@@ -131,13 +140,14 @@ private:
         const Function rule = rule_of(surface);
         add(group_ + ", is tested", {}, rule);
         events_.back().surface = row;
-        tell_steps(surface.steps, row, [](std::size_t) { return true; });
+        tell_steps(surface.steps, surface.calls, row, [](std::size_t) { return true; });
         const bool met = is_met(surface.fate);
         std::string answer =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
         if (surface.needed_exact) answer += ", decided in exact arithmetic";
         add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
+        events_.back().failed = surface.fate == Fate::overflow;
     }
 
     Function rule_of(const Surface& surface) const {
@@ -168,7 +178,7 @@ private:
         const auto named = leads_to(steps, [](const StoryStep& s) { return !s.name.empty(); });
         const std::vector<StepNumber> first = first_of_the_same(steps);
         const bool cut = story_.hit->shade && story_.hit->shade->model == ShadingModel::levental_2014;
-        tell_steps(steps, {}, [&](std::size_t i) {
+        tell_steps(steps, story_.hit->calls, {}, [&](std::size_t i) {
             const std::string goal = named[i] ? steps[*named[i]].name : "";
             if (i < story_.hit->tested_before || first[i] != i) return false;
             if (cut && goal.starts_with("sum.")) return false;  // that model adds bytes: the sum is the story's own
@@ -195,6 +205,33 @@ private:
         if (story_.border) add(fmt::format("the border is painted over it: {}", triple(story_.color)));
     }
 
+    /// Finds the event that made each operand. The hit's tape repeats the test of its surface, and some steps of its
+    /// own: these were told where they were done first.
+    void find_makers() {
+        std::map<std::pair<std::optional<std::size_t>, StepNumber>, std::size_t> made;
+        for (std::size_t i = 0; i < events_.size(); ++i)
+            if (const auto& place = events_[i].place) made[{place->row, place->step}] = i;
+        const std::vector<StepNumber> first =
+            story_.hit ? first_of_the_same(story_.hit->steps) : std::vector<StepNumber>{};
+        std::optional<std::size_t> tested;
+        for (std::size_t row = 0; row < story_.surfaces.size(); ++row)
+            if (story_.hit && story_.surfaces[row].number == story_.hit->surface) tested = row;
+        const auto maker = [&](StepPlace place) -> std::optional<std::size_t> {
+            if (!place.row && story_.hit) {
+                place.step = first[place.step];
+                if (place.step < story_.hit->tested_before) place.row = tested;
+            }
+            const auto found = made.find({place.row, place.step});
+            return found == made.end() ? std::nullopt : std::optional(found->second);
+        };
+        for (Event& event : events_) {
+            if (!event.place) continue;
+            const Step& step = tape_of(story_, *event.place)[event.place->step].step;
+            event.left_made_by = maker({event.place->row, step.left});
+            if (operands(step.operation) == 2) event.right_made_by = maker({event.place->row, step.right});
+        }
+    }
+
     const Story& story_;
     std::string group_;
     std::vector<Event> events_;
@@ -209,29 +246,69 @@ std::span<const StoryStep> tape_of(const Story& story, const StepPlace& place) {
     return story.hit ? Steps(story.hit->steps) : Steps(story.ray_steps);
 }
 
-std::size_t stepped(std::span<const Event> events, std::size_t now, StepTo to) {
+std::span<const Call> calls_of(const Story& story, const StepPlace& place) {
+    if (place.row) return story.surfaces[*place.row].calls;
+    return story.hit ? std::span<const Call>(story.hit->calls) : std::span<const Call>(story.ray_calls);
+}
+
+std::vector<CallNumber> calls_around(const Story& story, const StepPlace& place) {
+    const std::span<const Call> calls = calls_of(story, place);
+    std::vector<CallNumber> around;
+    for (CallNumber call = tape_of(story, place)[place.step].step.call; call != 0; call = calls[call].caller)
+        around.push_back(call);
+    std::reverse(around.begin(), around.end());
+    return around;
+}
+
+std::size_t stepped(std::span<const Event> events, std::size_t now, StepTo to, const std::vector<bool>& shown) {
     if (events.empty()) return 0;
     const std::size_t last = events.size() - 1;
-    const auto next = [&](bool Event::*wanted) {
-        for (std::size_t i = now + 1; i <= last; ++i)
-            if (events[i].*wanted) return i;
-        return std::min(now, last);
+    now = std::min(now, last);
+    const auto is_shown = [&](std::size_t i) { return shown.empty() || (i < shown.size() && shown[i]); };
+    const auto next = [&](std::size_t from, const auto& wanted) {
+        for (std::size_t i = from; i <= last; ++i)
+            if (is_shown(i) && wanted(events[i])) return i;
+        return now;
     };
+    const auto before = [&](std::size_t end) {
+        for (std::size_t i = end; i-- > 0;)
+            if (is_shown(i)) return i;
+        return now;
+    };
+    const auto any = [](const Event&) { return true; };
     switch (to) {
         case StepTo::first:
-            return 0;
+            return next(0, any);
         case StepTo::back:
-            return now > 0 ? std::min(now - 1, last) : 0;
+            return before(now);
         case StepTo::forward:
-            return std::min(now + 1, last);
+            return next(now + 1, any);
         case StepTo::last:
-            return last;
+            return before(last + 1);
+        case StepTo::next_no:
+            return next(now + 1, says_no);
         case StepTo::next_failed:
-            return next(&Event::failed);
+            return next(now + 1, [](const Event& event) { return event.failed; });
         case StepTo::next_cancellation:
-            return next(&Event::cancellation);
+            return next(now + 1, [](const Event& event) { return event.cancellation; });
     }
     return now;
+}
+
+std::vector<bool> feeding(std::span<const Event> events, std::size_t event) {
+    std::vector<bool> feeds(events.size(), false);
+    if (event >= events.size()) return feeds;
+    // A number is made after its operands, in whatever order they are listed.
+    std::vector<std::size_t> open{event};
+    while (!open.empty()) {
+        const std::size_t next = open.back();
+        open.pop_back();
+        if (feeds[next]) continue;
+        feeds[next] = true;
+        for (const auto& made_by : {events[next].left_made_by, events[next].right_made_by})
+            if (made_by && *made_by < events.size()) open.push_back(*made_by);
+    }
+    return feeds;
 }
 
 }  // namespace glassbox

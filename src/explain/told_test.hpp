@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "explain/explain.hpp"
@@ -61,11 +62,12 @@ struct RecordedTest {
     Crossing<Number> crossing;
     std::size_t step_count;  ///< of the test
 
+    /// `rule` is a SphereRule or a TriangleRule.
     template <class Rule>
     RecordedTest(const Ray<double>& by, const Shape& tested, const Rule& rule)
         : ray(input<Real>(tape, by)),
           shape(input<Real>(tape, tested)),
-          crossing(intersect(ray, shape, Chosen{rule}, heard)),
+          crossing(std::visit([&](const auto& chosen) { return intersect(ray, shape, chosen, heard); }, rule)),
           step_count(tape.steps().size()) {}
     RecordedTest(const RecordedTest&) = delete;  // the numbers know their tape by its address
     RecordedTest& operator=(const RecordedTest&) = delete;
@@ -88,6 +90,7 @@ struct ToldTest {
     std::optional<Number> a, b, c, sum, deficit;   ///< a triangle's
     std::optional<std::array<Number, 3>> weights;  ///< a triangle's
     std::vector<story::StoryStep> steps;
+    std::vector<Call> calls;  ///< in which they were done
 };
 
 /// What a recorded test told. `weights` are the test's, recorded before the tape was replayed.
@@ -106,7 +109,8 @@ ToldTest looked_up(const RecordedTest<Real, Shape>& test, const std::optional<st
                     .sum = look(h.sum),
                     .deficit = look(h.deficit),
                     .weights = {},
-                    .steps = look.steps(test.step_count)};
+                    .steps = look.steps(test.step_count),
+                    .calls = test.tape.calls()};
     if (weights) result.weights = {look((*weights)[0]), look((*weights)[1]), look((*weights)[2])};
     if (!test.crossing.t.tape()) return result;
     result.t = look(test.crossing.t);

@@ -180,3 +180,5 @@ void name(const Vec3<Recorded<Real>>& v, const std::string& its_name) {
 }
 
 }  // namespace glassbox
+
+#include "numerics/recorded_calls.hpp"  // whoever computes with recorded numbers notes their calls

@@ -60,6 +60,18 @@ struct Precision {
     constexpr bool operator==(const Precision&) const = default;
 };
 
+/// A function call of a computation, counted from its start. 0 is no call: what the computation does itself.
+using CallNumber = std::uint32_t;
+
+/// A call of one of the core's functions.
+struct Call {
+    const char* header = "";    ///< where the function stands: "vec3.hpp"
+    const char* function = "";  ///< its name; of a rule, that of its struct: "Stable"
+    const char* file = "";      ///< the line that calls it
+    int line = 0;
+    CallNumber caller = 0;  ///< the call that this line is executed in
+};
+
 /// One operation: its operands are earlier steps. A comparison's value is 1 where it holds and 0 where it does not.
 struct Step {
     Operation operation = Operation::input;
@@ -67,9 +79,11 @@ struct Step {
     long double value = 0;  ///< of any scalar: a long double holds them all exactly
     const char* file = "";  ///< the operation's source file; none for inputs, their rounding, and constants
     int line = 0;
+    CallNumber call = 0;  ///< the innermost call in which it is done
 };
 
-/// All operations of a computation in one scalar, in the order of execution, with the names given to some of them.
+/// All operations of a computation in one scalar, in the order of execution, with the names given to some of them, and
+/// the calls in which they were done.
 class Tape {
 public:
     explicit Tape(Precision precision = Precision::of<double>()) : precision_(precision) {}
@@ -77,7 +91,9 @@ public:
     /// The scalar's precision.
     Precision precision() const { return precision_; }
 
-    StepNumber append(const Step& step) {
+    /// Appends a step of the present call.
+    StepNumber append(Step step) {
+        step.call = call_;
         steps_.push_back(step);
         return static_cast<StepNumber>(steps_.size() - 1);
     }
@@ -87,6 +103,16 @@ public:
 
     const std::vector<Step>& steps() const { return steps_; }
     const Step& operator[](StepNumber step) const { return steps_[step]; }
+
+    /// Enters a call within the present one: `call.caller` is filled in.
+    void enter(Call call) {
+        call.caller = call_;
+        call_ = static_cast<CallNumber>(calls_.size());
+        calls_.push_back(call);
+    }
+    /// Leaves the present call, if there is one.
+    void leave() { call_ = calls_[call_].caller; }
+    const std::vector<Call>& calls() const { return calls_; }
 
     /// The first name of each step; empty for those without.
     std::vector<std::string> names() const {
@@ -99,6 +125,8 @@ public:
 private:
     Precision precision_;
     std::vector<Step> steps_;
+    std::vector<Call> calls_{Call{}};
+    CallNumber call_ = 0;
     std::vector<std::pair<StepNumber, std::string>> names_;
 };
 

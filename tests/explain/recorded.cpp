@@ -3,6 +3,7 @@
 
 #include <doctest.h>
 
+#include <algorithm>
 #include <intersect_sphere.hpp>
 #include <moeller_trumbore.hpp>
 #include <probe.hpp>
@@ -136,4 +137,32 @@ TEST_CASE("by every rule a recorded test goes the way of the plain one, to the b
         check_same(ray, triangle, Tolerance{0.1});
         check_same(ray, triangle, MoellerTrumbore{});
     }
+}
+
+// The discriminant is b² − ac of `discriminant`, which Textbook calls, which `intersect` calls, which this test calls.
+TEST_CASE("a step knows the calls in which it is done, and from which lines") {
+    Tape tape;
+    const Silent silent;
+    const Ray<Recorded<double>> ray{input<double>(tape, {500, 350, 350}, "P"), input<double>(tape, {-1, 0, 0}, "D")};
+    const Sphere<Recorded<double>> sphere{input<double>(tape, {100, 350, 350}, "c"),
+                                          Recorded<double>::input(tape, 50, "r")};
+    const int here = __LINE__ + 1;
+    (void)intersect(ray, sphere, Textbook{}, silent);
+    const auto difference = std::ranges::find_if(
+        tape.steps(), [](const Step& step) { return step.operation == Operation::subtract && step.value == 2500; });
+    REQUIRE(difference != tape.steps().end());
+    const Call& innermost = tape.calls()[difference->call];
+    CHECK(std::string_view(innermost.function) == "discriminant");
+    CHECK(std::string_view(innermost.header) == "quadratic.hpp");
+    CHECK(std::string_view(innermost.file).ends_with("intersect_sphere.hpp"));
+    const Call& rule = tape.calls()[innermost.caller];
+    CHECK(std::string_view(rule.function) == "Textbook");
+    const Call& outermost = tape.calls()[rule.caller];
+    CHECK(std::string_view(outermost.function) == "intersect");
+    CHECK(std::string_view(outermost.file) == __FILE__);
+    CHECK(outermost.line == here);
+    CHECK(outermost.caller == 0);
+    // After the calls, steps are the test's own.
+    const Recorded<double> sum = ray.P.x + sphere.r;
+    CHECK(tape[sum.step()].call == 0);
 }

@@ -52,6 +52,70 @@ TEST_CASE("0.1 + 0.2 - 0.3: one rounding, and 51 bits are lost") {
     CHECK(checked[a.step()].error == 0);
 }
 
+// With x = 1 + 2^-13, x² = 1 + 2^-12 + 2^-26. A float near 1 has last places of 2^-23, so the last term is rounded
+// away: 1/8 of a place. x² − 1 is 2^-12 then, without a rounding; truly 2^-26 more, which is 2^9 last places of 2^-12,
+// 2^-35 each. No float is nearer to x² than the one that was subtracted from: all of this loss is the difference's own.
+// The true x² − 1 is a float, so that 3 (x² − 1) would be right if it were given it: its loss, 3·2^-26 in last places
+// of 2^-34, is inherited. (x − 1)(x + 1) loses nothing.
+TEST_CASE("x² − y²: the difference's loss is its own, and what goes on from it inherits it") {
+    Tape tape(Precision::of<float>());
+    const Recorded<float> x = Recorded<float>::input(tape, 1 + 0x1p-13, "x");
+    const Recorded<float> square = x * x, difference = square - 1.f, three = 3.f * difference;
+    const Recorded<float> factored = (x - 1.f) * (x + 1.f);
+    const std::vector<Checked> checked = replay(tape);
+    const auto own = [&](const Recorded<float>& n) { return checked[n.step()].own_loss; };
+    const auto inherited = [&](const Recorded<float>& n) { return checked[n.step()].inherited_loss; };
+    CHECK(own(square) == doctest::Approx(std::log2(1 + 1. / 8)));
+    CHECK(inherited(square) == 0);
+    CHECK(difference.value() == 0x1p-12f);
+    CHECK(own(difference) == doctest::Approx(std::log2(512. + 1)));
+    CHECK(inherited(difference) == 0);
+    CHECK(own(three) == 0);
+    CHECK(inherited(three) == doctest::Approx(std::log2(3 * 256. + 1)));
+    CHECK(factored.value() == 0x1p-12f + 0x1p-26f);
+    CHECK(own(factored) == 0);
+    CHECK(inherited(factored) == 0);
+    CHECK(own(x) == 0);
+}
+
+// 1/3 is 0x1.5555555555555|5…p-2: a third of a last place is lost. Three times that rounds to 1, which is true, so that
+// nothing of the loss is left.
+TEST_CASE("a loss may vanish again; what has no true value has no own loss") {
+    Tape tape;
+    const Recorded<double> one = Recorded<double>::input(tape, 1, "one"), zero = Recorded<double>::input(tape, 0, "0");
+    const Recorded<double> third = one / 3, again = 3 * third, none = one / zero, next = none + one;
+    const std::vector<Checked> checked = replay(tape);
+    CHECK(checked[third.step()].own_loss == doctest::Approx(std::log2(4. / 3)));
+    CHECK(checked[again.step()].own_loss == 0);
+    CHECK(checked[again.step()].inherited_loss == 0);
+    for (const Recorded<double>& number : {none, next}) {
+        CHECK(std::isnan(checked[number.step()].own_loss));
+        CHECK(std::isnan(checked[number.step()].inherited_loss));
+    }
+}
+
+// own is best − truth, inherited is value − best: the error in last places is at most the sum of both.
+TEST_CASE("own and inherited losses cover the whole loss") {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> coordinate(-400, 400);
+    for (int i = 0; i < 200; ++i) {
+        Tape tape(Precision::of<float>());
+        const Silent silent;
+        const Ray<Recorded<float>> ray{input<float>(tape, {coordinate(random), coordinate(random), 900}, "P"),
+                                       input<float>(tape, {0.1, -0.2, -1}, "D")};
+        const Sphere<Recorded<float>> sphere{input<float>(tape, {coordinate(random), coordinate(random), 0}, "c"),
+                                             Recorded<float>::input(tape, 333.3, "r")};
+        (void)intersect(ray, sphere, Textbook{}, silent);
+        for (const Checked& one : replay(tape)) {
+            if (std::isnan(one.own_loss) || one.bits_lost >= 24 || one.own_loss >= 24 || one.inherited_loss >= 24)
+                continue;
+            // Last places of two numbers that differ much may differ in size by a power of 2.
+            CHECK(std::exp2(one.bits_lost) - 1 <=
+                  (2 * (std::exp2(one.own_loss) - 1) + std::exp2(one.inherited_loss) - 1) * (1 + 1e-9));
+        }
+    }
+}
+
 TEST_CASE("one root is exact, a root of a root is a long float, and a division by 0 is nothing") {
     Tape tape;
     const Recorded<double> two = Recorded<double>::input(tape, 2, "two"),

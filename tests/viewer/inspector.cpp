@@ -104,6 +104,7 @@ void gather(const std::vector<InspectorPart>& parts, Texts& into) {
 bool is_claimed(const std::string& path, const std::string& worst) {
     if (path.starts_with("/hit/steps/"))
         return !worst.empty() && path.starts_with(worst + "/") && path != worst + "/step" && path != worst + "/line" &&
+               path != worst + "/own_bits_lost" &&  // that of /hit/most_bits_lost
                !path.starts_with(worst + "/operands");
     if (path == "/surface") return false;                                                // that of /hit/surface
     if (path.starts_with("/ray/P_hex") || path.starts_with("/ray/D_hex")) return false;  // checked below

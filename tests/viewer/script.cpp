@@ -44,3 +44,26 @@ TEST_CASE("what is wrong with a script's quotes, and with names in them, is told
     test::check_refused(folder, {"view", "--script", "deep.script"}, 1,
                         {"deep.script:1:1: error: ", "deep.toml:1:", "100 levels"});
 }
+
+TEST_CASE("a script steps as a debugger does, and is told what cannot be") {
+    const test::Folder folder;
+    const std::string begin = "open '" + (scenes / "levental-2014.toml").string() + "'\nsize 500x400\npin 350,149\n";
+    test::write(
+        folder / "steps.script",
+        begin +
+            "step no\nstep operand\nstep jump-back\nstep into\nstep over\nstep out\nfeeding on\nfeeding off\n"
+            "set step-pane losses\nnudge P.y:-1\nnudge radius:100\nnudge undo\nnudge reset\nscreenshot a.png\n");
+    const test::Ran ran = test::run_glassbox({"view", "--script", "steps.script"}, {.folder = folder.path});
+    CAPTURE(ran.err);
+    CHECK(ran.status == 0);
+    const auto refused = [&](const std::string& line, const std::vector<std::string>& words) {
+        test::write(folder / "wrong.script", begin + "step first\n" + line + "\n");
+        test::check_refused(folder, {"view", "--script", "wrong.script"}, 1, words);
+    };
+    refused("nudge P.q:1", {"wrong.script:5:1: error: ", "'P.q' is not known", "did you mean 'P."});
+    refused("nudge P.y", {"wrong.script:5:1: error: ", "NAME:BY, undo or reset"});
+    refused("nudge P.y:200000", {"wrong.script:5:1: error: ", "100000"});
+    refused("feeding on", {"wrong.script:5:1: error: ", "no operation"});
+    refused("pin none\nfeeding on", {"wrong.script:6:1: error: ", "no pixel is pinned"});
+    refused("pin 5,5\nnudge P.y:1", {"wrong.script:6:1: error: ", "no surface to test"});
+}

@@ -56,7 +56,7 @@ TEST_CASE("all text has a contrast of at least 4.5 to all that it may lie on, ho
             {"second", palette.second},
             {"a", palette.a},
             {"b", palette.b},
-            {"c", palette.c}, {"n·l", palette.n_l}, {"n·r", palette.n_r}, {"n·h", palette.n_h},
+            {"c", palette.c}, {"n·l", palette.n_l}, {"n·r", palette.n_r}, {"n·h", palette.n_h}, {"keyword", palette.keyword}, {"number", palette.number}, {"string", palette.string}, {"comment", palette.comment},
             {"box", palette.box},
         };
         for (const ImGuiCol which :

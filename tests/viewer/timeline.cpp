@@ -111,11 +111,97 @@ TEST_CASE("a face of the tetrahedron") {
                                       [](const Event& e) { return e.what.starts_with("nearest of 2 met: surface 4"); });
     CHECK(nearest != events.end());
 
-    // The first test to fail is the green sphere's: l² = 20² + 240² = 58000, Δ = 2500 − 58000. Then its verdict.
+    // The first condition not to hold is the green sphere's: l² = 20² + 240² = 58000, Δ = 2500 − 58000. Then its
+    // verdict. Nothing has failed: both are true.
+    const std::size_t no = stepped(events, 0, StepTo::next_no);
+    CHECK(events[no].what == "-55500 ≥ 0");
+    CHECK(stepped(events, no, StepTo::next_no) == no + 1);
+    CHECK(events[no + 1].what.starts_with("surface 0: missed"));
+    CHECK(stepped(events, 0, StepTo::next_failed) == 0);
+}
+
+// (v·D)² = v² = 10¹⁴ in float, so that Δ = 0 ≥ 0 holds; truly v² has 60² more, and Δ = 50² − 60² < 0.
+TEST_CASE("a condition fails where its answer is not the true one") {
+    const std::vector<Event> events = timeline(story_of_far_sphere(410));
     const std::size_t failed = stepped(events, 0, StepTo::next_failed);
-    CHECK(events[failed].what == "-55500 ≥ 0");
-    CHECK(stepped(events, failed, StepTo::next_failed) == failed + 1);
-    CHECK(events[failed + 1].what.starts_with("surface 0: missed"));
+    REQUIRE(failed > 0);
+    CHECK(events[failed].formula == "Δ ≥ 0");
+    CHECK(events[failed].holds == true);
+    CHECK(events[failed].failed);
+}
+
+TEST_CASE("operands come before results, and of a line left ones before right ones") {
+    Options by_textbook;
+    by_textbook.sphere_rule = Textbook{};
+    for (const Story& story : {tell(370, 110), tell(350, 350, by_textbook)}) {
+        const std::vector<Event> events = timeline(story);
+        int both = 0;
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            const auto &left = events[i].left_made_by, &right = events[i].right_made_by;
+            if (left) CHECK(*left < i);
+            if (right) CHECK(*right < i);
+            if (!left || !right) continue;
+            const auto step = [&](std::size_t event) {
+                return tape_of(story, *events[event].place)[events[event].place->step].step;
+            };
+            const Step a = step(*left), b = step(*right), result = step(i);
+            if (a.line != result.line || b.line != result.line || a.call != result.call || b.call != result.call)
+                continue;
+            CAPTURE(events[i].formula);
+            CAPTURE(events[*left].formula);
+            CAPTURE(events[*right].formula);
+            CHECK(*left < *right);
+            ++both;
+        }
+        CHECK(both > 20);  // each dot product has two such sums
+    }
+}
+
+// A dot product is read x, y, their sum, z, the sum of all.
+TEST_CASE("a dot product in reading order") {
+    const Story story = tell(350, 350);
+    const std::vector<Event> events = timeline(story);
+    const std::size_t last = find_formula(events, "n·l = ");
+    REQUIRE(last < events.size());
+    REQUIRE(last >= 4);
+    CHECK(events[last - 4].formula == "n.x × l.x");
+    CHECK(events[last - 3].formula == "n.y × l.y");
+    CHECK(events[last - 1].formula == "n.z × l.z");
+    CHECK(events[last - 2].left_made_by == last - 4);
+    CHECK(events[last - 2].right_made_by == last - 3);
+    CHECK(events[last].left_made_by == last - 2);
+    CHECK(events[last].right_made_by == last - 1);
+}
+
+TEST_CASE("what feeds a number: the steps of its operands, and theirs, wherever they were done") {
+    const Story story = tell(350, 350);
+    const std::vector<Event> events = timeline(story);
+    const std::size_t n_l = find_formula(events, "n·l = "), t0 = find_formula(events, "t₀ = "),
+                      half = find_formula(events, "n·h = ");
+    REQUIRE(std::max({n_l, t0, half}) < events.size());
+    const std::vector<bool> feeds = feeding(events, n_l);
+    CHECK(feeds[n_l]);
+    CHECK(feeds[t0]);  // on the tape of the surface's test: the normal is found from the point, and that from t₀
+    CHECK_FALSE(feeds[half]);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (!feeds[i]) continue;
+        CHECK(events[i].place.has_value());
+        CHECK(events[i].surface.value_or(0) == 0);
+        if (i == n_l) continue;
+        const bool used = std::ranges::any_of(events, [&](const Event& later) {
+            return feeds[static_cast<std::size_t>(&later - events.data())] &&
+                   (later.left_made_by == i || later.right_made_by == i);
+        });
+        CHECK(used);
+    }
+    CHECK(stepped(events, n_l, StepTo::first, feeds) ==
+          static_cast<std::size_t>(std::ranges::find(feeds, true) - feeds.begin()));
+    CHECK(stepped(events, 0, StepTo::last, feeds) == n_l);
+    CHECK(feeding(events, 0) == [&] {
+        std::vector<bool> only(events.size(), false);
+        only[0] = true;
+        return only;
+    }());
 }
 
 TEST_CASE("the next cancellation is where the textbook's discriminant loses all") {

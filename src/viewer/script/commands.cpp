@@ -17,6 +17,7 @@
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox::script {
@@ -38,14 +39,30 @@ constexpr NameTable<Beside, 6> besides{{
     {"mine", Beside::mine, ""},
     {"mine-difference", Beside::mine_difference, ""},
 }};
-constexpr NameTable<StepTo, 6> step_targets{{
+constexpr NameTable<StepTo, 7> step_targets{{
     {"first", StepTo::first, ""},
     {"back", StepTo::back, ""},
     {"forward", StepTo::forward, ""},
     {"last", StepTo::last, ""},
+    {"no", StepTo::next_no, ""},
     {"failed", StepTo::next_failed, ""},
     {"cancellation", StepTo::next_cancellation, ""},
 }};
+
+/// What else `step` can be told.
+struct StepAction {
+    std::string_view name;
+    void (*act)(ViewerState&, const Results&);
+};
+constexpr StepAction step_actions[] = {
+    {"into", step_into},
+    {"over", step_over},
+    {"out", step_out},
+    {"operand", [](ViewerState& s, const Results& r) { jump_to_operand(s, r, false); }},
+    {"second-operand", [](ViewerState& s, const Results& r) { jump_to_operand(s, r, true); }},
+    {"jump-back", jump_back},
+    {"jump-forth", jump_forth},
+};
 
 /// "X,Y" or "none".
 std::optional<Pixel> pixel_or_none(const std::string& name, const std::string& typed) {
@@ -123,6 +140,13 @@ Command boxes(const Words& words) {
 }
 
 Command step(const Words& words) {
+    for (const StepAction& action : step_actions)
+        if (words[1] == action.name)
+            return change([act = action.act](ViewerState& state, const Results& results) {
+                state.page = Page::steps;
+                if (!results.story) throw Error("step: no pixel is pinned; put 'pin X,Y' before");
+                act(state, results);
+            });
     const auto to = find_named(step_targets, words[1]);
     const bool forward = words[1].starts_with('+'), relative = forward || words[1].starts_with('-');
     constexpr int most = 1'000'000'000;
@@ -133,8 +157,41 @@ Command step(const Words& words) {
         const std::span<const Event> events = steps_shown(state, results);
         const auto last = std::max<std::int64_t>(static_cast<std::int64_t>(events.size()) - 1, 0);
         const std::int64_t at = by + (relative ? static_cast<std::int64_t>(state.step) : 0);
-        state.step =
-            to ? stepped(events, state.step, *to) : static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, last));
+        if (to) return go(state, results, *to);
+        state.step = static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, last));
+    });
+}
+
+Command feeding_only(const Words& words) {
+    return change([on = chosen("feeding", words[1], switches)](ViewerState& state, const Results& results) {
+        state.page = Page::steps;
+        if (!results.story) throw Error("feeding: no pixel is pinned; put 'pin X,Y' before");
+        show_only_feeding(state, results, on);
+        if (on && !state.stepping.fed)
+            throw Error("feeding: this event is no operation; put 'step …' before, to one that is");
+    });
+}
+
+/// "NAME:BY", "undo" or "reset".
+Command nudge_input(const Words& words) {
+    if (words[1] == "undo") return change(undo_nudge);
+    if (words[1] == "reset") return change([](ViewerState& state) { reset_nudges(state); });
+    const std::size_t colon = words[1].find(':');
+    if (colon == std::string::npos) throw wrong("nudge", fmt::format("'{}' must be NAME:BY, undo or reset", words[1]));
+    const std::string name = words[1].substr(0, colon);
+    const int by = whole_number("nudge", words[1].substr(colon + 1), -farthest_nudge, farthest_nudge);
+    return change([name, by](ViewerState& state, const Results& results) {
+        state.page = Page::steps;
+        state.stepping.pane = StepsPane::nudge;
+        const std::optional<std::size_t> row = row_to_nudge(state, results);
+        if (!row) throw Error("nudge: there is no surface to test; pin a pixel, and step to a surface's test");
+        std::vector<std::string> names;
+        for (const NudgedInput& input : nudged(*results.story, *row, {}).inputs) names.push_back(input.name);
+        if (std::ranges::find(names, name) == names.end())
+            throw wrong("nudge",
+                        fmt::format("'{}' is not known; {}", name,
+                                    suggestion(name, std::vector<std::string_view>(names.begin(), names.end()))));
+        nudge(state, results, name, by);
     });
 }
 
@@ -213,7 +270,12 @@ const Syntax all_commands[] = {
      [](const Words& w) {
          return change([page = chosen("page", w[1], pages)](ViewerState& state) { state.page = page; });
      }},
-    {"step", "step N | +N | -N | first | back | forward | last | failed | cancellation", 1, 1, step},
+    {"step",
+     "step N | +N | -N | first | back | forward | last | no | failed | cancellation | into | over | out | operand | "
+     "second-operand | jump-back | jump-forth",
+     1, 1, step},
+    {"feeding", "feeding on | off", 1, 1, feeding_only},
+    {"nudge", "nudge NAME:BY | undo | reset", 1, 1, nudge_input},
     {"predict", "predict hit | miss | + | - | 0 | BITS | skip", 1, 1, predict},
     {"watch", "watch PIXELS", 1, 1,
      [](const Words& w) {

@@ -19,6 +19,12 @@ namespace {
 constexpr NameTable<bool, 2> themes{{{"dark", true, ""}, {"light", false, ""}}};
 constexpr NameTable<bool, 2> ways_to_turn{{{"accumulated", true, ""}, {"rebuilt", false, ""}}};
 constexpr NameTable<bool, 2> count_axes{{{"log", true, ""}, {"linear", false, ""}}};
+constexpr NameTable<StepsPane, 4> step_panes{{
+    {"source", StepsPane::source, ""},
+    {"formula", StepsPane::formula, ""},
+    {"losses", StepsPane::losses, ""},
+    {"nudge", StepsPane::nudge, ""},
+}};
 constexpr NameTable<NumberForm, 3> number_forms{{
     {"short", NumberForm::brief, ""},
     {"full", NumberForm::full, ""},
@@ -70,6 +76,8 @@ const Settable settables[] = {
         [](ViewerState& s) -> auto& { return s.appearance.text_size; }),
     settable(
         "numbers", one_of(number_forms), [](ViewerState& s) -> auto& { return s.number_form; }),
+    settable(
+        "step-pane", one_of(step_panes), [](ViewerState& s) -> auto& { return s.stepping.pane; }),
     settable(
         "space", one_of(switches), [](ViewerState& s) -> auto& { return s.space_shown; }),
     settable(

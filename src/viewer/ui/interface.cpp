@@ -9,6 +9,7 @@
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 #include "viewer/model/work/watching.hpp"
 #include "viewer/ui/frame/places.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
@@ -90,6 +91,7 @@ double Interface::draw(const Input& input) {
     advance(state_, results_, seconds);
     background_.update(state_, results_);
     follow_story(state_, results_);
+    follow_steps(state_, results_);
     pictures_.update(state_, results_);
     if (state_.space_shown) {
         space_.update(state_, results_);

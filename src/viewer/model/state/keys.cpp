@@ -11,6 +11,7 @@
 #include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/truth.hpp"
+#include "viewer/model/story/stepping.hpp"
 
 namespace glassbox {
 
@@ -82,10 +83,32 @@ void zoom(State& state, double to) {
 template <StepTo to>
 void step(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
-    state.playing = false;
     state.page = Page::steps;
-    state.step = stepped(steps_shown(state, results), state.step, to);
+    go(state, results, to);
 }
+
+/// Does something on the page of steps.
+template <void (*act)(State&, const Results&)>
+void on_steps(State& state, const Results& results, const KeyPress&) {
+    if (!results.story) return;
+    state.page = Page::steps;
+    act(state, results);
+}
+
+void to_operand(State& state, const Results& results, const KeyPress& press) {
+    if (!results.story) return;
+    state.page = Page::steps;
+    jump_to_operand(state, results, press.shift);
+}
+
+void jump_again(State& state, const Results& results, const KeyPress& press) {
+    if (!results.story) return;
+    state.page = Page::steps;
+    if (press.shift) jump_forth(state, results);
+    else jump_back(state, results);
+}
+
+void only_feeding(State& state, const Results& results) { show_only_feeding(state, results, !state.stepping.fed); }
 
 void play(State& state, const Results& results, const KeyPress&) {
     if (!results.story) return;
@@ -151,10 +174,9 @@ void show_page(State& state, const Results&, const KeyPress&) {
     state.page = page;
 }
 
-bool is_split(const State& state, const Results&) { return state.beside != Beside::nothing; }
-
-void move_split(State& state, const Results&, const KeyPress& press) {
-    state.split = std::clamp(state.split + (press.shift ? -.05 : .05), 0.0, 1.0);
+template <int steps>
+void move_split(State& state, const Results&, const KeyPress&) {
+    if (state.beside != Beside::nothing) state.split = std::clamp(state.split + .05 * steps, 0.0, 1.0);
 }
 
 /// Whether Dear ImGui takes this key to move from button to button, or to press one.
@@ -180,8 +202,8 @@ constexpr KeyBinding bindings[] = {
     {named(Key::right), "→", "", "Picture", move_pin<1, 0>},
     {named(Key::up), "↑", "", "Picture", move_pin<0, -1>},
     {named(Key::down), "↓", "", "Picture", move_pin<0, 1>},
-    {character('x'), "x", "move the bar between the two pictures to the right (with Shift to the left)", "Picture",
-     move_split, is_split},
+    {character('>'), ">", "move the bar between the two pictures", "Picture", move_split<1>},
+    {character('<'), "<", "", "Picture", move_split<-1>},
     {named(Key::enter), "Enter", "pin the pixel in the middle (with Shift: keep this pin as the second one)", "Picture",
      pin_by_key},
     {character('.'), ".", "to the next worst pixel of the overlay", "Picture", worst_pixel<true>},
@@ -211,7 +233,7 @@ constexpr KeyBinding bindings[] = {
      [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::search); }},
     {character('l'), "l", "to the light: n·l, and its overlay", "Truth",
      [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::cosines); }},
-    {character('e'), "e", "to the least sure sign, and the overlay margin", "Truth",
+    {character('y'), "y", "to the least sure sign, and the overlay margin", "Truth",
      [](State& s, const Results& r, const KeyPress&) { open_tile(s, r, TileKind::margin); }},
 
     {named(Key::space), "Space", "play the pinned pixel's steps, or pause", "Steps", play},
@@ -219,7 +241,15 @@ constexpr KeyBinding bindings[] = {
     {character('['), "[", "a step back", "Steps", step<StepTo::back>},
     {named(Key::home), "Home", "to the first step", "Steps", step<StepTo::first>},
     {named(Key::end), "End", "to the last step", "Steps", step<StepTo::last>},
-    {character('n'), "n", "to the next failed test", "Steps", step<StepTo::next_failed>},
+    {character('i'), "i", "into what the line of the call stack calls", "Steps", on_steps<step_into>},
+    {character('o'), "o", "over that line", "Steps", on_steps<step_over>},
+    {character('u'), "u", "out of the function", "Steps", on_steps<step_out>},
+    {character('e'), "e", "to the step that made the first operand (with Shift: the second)", "Steps", to_operand},
+    {character('j'), "j", "back to where you jumped from (with Shift: forth again)", "Steps", jump_again},
+    {character('v'), "v", "only the steps that feed this number, or all", "Steps", on_steps<only_feeding>},
+    {character('n'), "n", "to the next no: a condition that does not hold, a miss", "Steps", step<StepTo::next_no>},
+    {character('x'), "x", "to what failed next: a wrong answer, a number too large", "Steps",
+     step<StepTo::next_failed>},
     {character('c'), "c", "to the next cancellation", "Steps", step<StepTo::next_cancellation>},
 
     {character('p'), "p", "predict first: be asked before each test, or not", "Steps", predict_or_not},

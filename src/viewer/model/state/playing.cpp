@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 
 namespace glassbox {
 
@@ -10,7 +11,10 @@ void play_or_pause(ViewerState& state, const Results& results) {
     if (results.timeline.empty()) return;
     state.playing = !state.playing;
     state.since_step = 0;
-    if (state.playing && state.step + 1 >= steps_shown(state, results).size()) state.step = 0;
+    const auto at = [&](StepTo to) {
+        return stepped(steps_shown(state, results), state.step, to, events_kept(state, results));
+    };
+    if (state.playing && state.step >= at(StepTo::last)) state.step = at(StepTo::first);
 }
 
 void go_on_playing(ViewerState& state, const Results& results, double seconds) {
@@ -18,9 +22,12 @@ void go_on_playing(ViewerState& state, const Results& results, double seconds) {
     state.since_step += seconds * state.steps_per_second;
     const auto whole = static_cast<std::size_t>(state.since_step);
     state.since_step -= static_cast<double>(whole);
-    const std::size_t steps = steps_shown(state, results).size(), last = steps == 0 ? 0 : steps - 1;
-    state.step = std::min(state.step + whole, last);
-    if (state.step == last) state.playing = false;
+    const std::span<const Event> events = steps_shown(state, results);
+    const std::vector<bool> kept = events_kept(state, results);
+    const std::size_t last = stepped(events, state.step, StepTo::last, kept);
+    for (std::size_t i = 0; i < whole && state.step < last; ++i)
+        state.step = stepped(events, state.step, StepTo::forward, kept);
+    if (state.step >= last) state.playing = false;
 }
 
 }  // namespace glassbox

@@ -106,6 +106,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.split = state.split;
         fresh.other = state.other;
         fresh.predicting = state.predicting;
+        fresh.stepping.pane = state.stepping.pane;
         fresh.mine = state.mine;
         if (fresh.mine.chosen && shows_mine(fresh)) {
             fresh.mine.before = fresh.setup.now().options;

@@ -12,6 +12,7 @@
 #include "viewer/model/state/number_form.hpp"
 #include "viewer/model/state/picture_view.hpp"
 #include "viewer/model/state/setup_changes.hpp"
+#include "viewer/model/state/stepping.hpp"
 #include "viewer/model/work/failing_test.hpp"
 #include "viewer/model/work/mine.hpp"
 
@@ -146,6 +147,7 @@ struct ViewerState {
     bool playing = false;
     double steps_per_second = 4;  ///< while it plays
     double since_step = 0;        ///< how much of the way to the next step is over
+    Stepping stepping;
     Predicting predicting;
     Watching watching;
 

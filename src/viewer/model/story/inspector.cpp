@@ -299,9 +299,12 @@ InspectorPart rounding_part(const Story& story, const FirstHit& hit) {
     rounding.rows.push_back(row("worst", Numbers{}, operation(hit.steps, step)));
     rounding.rows.push_back(row("where", Numbers{}, place(step)));
     rounding.rows.push_back(row("step", {count("/hit/most_bits_lost/step", *hit.worst)}, name));
-    rounding.rows.push_back(row("it lost", {plain("/hit/most_bits_lost/bits", hit.worst_loss)},
+    rounding.rows.push_back(row("its own loss", {plain("/hit/most_bits_lost/bits", hit.worst_loss)},
                                 fmt::format("bits, of {} that {} has", digits_of_steps(story.options),
                                             name_of(scalar_of_steps(story.options.scalar)))));
+    rounding.rows.push_back(
+        row("inherited", {plain(fmt::format("/hit/steps/{}/inherited_bits_lost", *hit.worst), checked.inherited_loss)},
+            "bits, from operands off by more than a rounding"));
     rounding.rows.push_back(barred("computed", fmt::format("/hit/steps/{}", *hit.worst), checked));
     rounding.rows.push_back(
         row("truly", {plain(fmt::format("/hit/steps/{}/true", *hit.worst), checked.truth)}, "rounded once"));

@@ -42,10 +42,10 @@ std::array<Tile, 3> empty_tiles() {
              .brief = {},
              .overlay = "margin",
              .step = {},
-             .key = "e",
+             .key = "y",
              .tip = "The least sure sign of those that decide what is shown: how many digits it is beyond its error "
                     "bound. Opens its step and the overlay margin, which is of side products alone, of all triangles "
-                    "tested (e)"}};
+                    "tested (y)"}};
 }
 
 std::optional<std::size_t> event_where(Events events, const auto& is_wanted) {

@@ -1,26 +1,67 @@
 #include <algorithm>
 
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 #include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/panels.hpp"
 #include "viewer/ui/steps/parts.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
 
 namespace glassbox {
 
 namespace {
 
-/// The parts share the available height, but none gets too low to be read: then the page scrolls.
+struct Pane {
+    StepsPane pane;
+    const char* title;
+    void (*draw)(const Frame&, const Event&);
+};
+constexpr Pane panes[] = {
+    {StepsPane::source, "Source", draw_source},
+    {StepsPane::formula, "Formula", draw_formula},
+    {StepsPane::losses, "Losses", [](const Frame& frame, const Event&) { draw_losses(frame); }},
+    {StepsPane::nudge, "Nudge", [](const Frame& frame, const Event&) { draw_nudge(frame); }},
+};
+
+/// Where the present number comes from, and back.
+void draw_ways(const Frame& frame) {
+    const Stepping& stepping = frame.state.stepping;
+    if (toggle("Only what feeds it (v)", stepping.fed.has_value()))
+        show_only_feeding(frame.state, frame.results, !stepping.fed);
+    tip("Hide all other steps");
+    flow("Back (j)");
+    if (button_if(!stepping.back.empty(), "Back (j)")) jump_back(frame.state, frame.results);
+    flow("Forth (J)");
+    if (button_if(!stepping.forth.empty(), "Forth (J)")) jump_forth(frame.state, frame.results);
+}
+
+void draw_pane(const Frame& frame, const Event& event, float height) {
+    StepsPane& shown = frame.state.stepping.pane;
+    const float top = ImGui::GetCursorPosY();
+    for (const Pane& pane : panes) {
+        if (&pane != panes) flow(pane.title, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (toggle(pane.title, pane.pane == shown)) shown = pane.pane;
+    }
+    ImGui::BeginChild("pane", {0, std::max(height - (ImGui::GetCursorPosY() - top), ImGui::GetFontSize())});
+    for (const Pane& pane : panes)
+        if (pane.pane == shown) pane.draw(frame, event);
+    ImGui::EndChild();
+}
+
+/// The parts share the height of the page, whatever is in them, so that nothing jumps from step to step; but none gets
+/// too low to be read: then the page scrolls.
 void draw_timeline_page(const Frame& frame) {
+    const float line = ImGui::GetTextLineHeightWithSpacing(), room = ImGui::GetContentRegionAvail().y;
     draw_transport(frame);
     draw_predict(frame);
+    draw_hidden(frame);
     const Event& event = frame.results.timeline[frame.state.step];
-    const float line = ImGui::GetTextLineHeightWithSpacing(), room = ImGui::GetContentRegionAvail().y;
-    draw_event_list(frame, std::max(6 * line, .3f * room));
+    draw_event_list(frame, std::max(4.5f * line, .18f * room));
+    ImGui::BeginChild("values", {0, std::max(8.5f * line, .24f * room)}, true);
     draw_values(frame, event);
-    const float left = ImGui::GetContentRegionAvail().y;
-    const float lesson = std::min(lesson_height(frame, event), std::max(6 * line, left / 2));
-    draw_source(frame, event, std::max(7 * line, left - lesson));
-    draw_lesson(frame, event, lesson);
+    ImGui::EndChild();
+    draw_ways(frame);
+    draw_pane(frame, event, std::max(10 * line, ImGui::GetContentRegionAvail().y));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
 namespace glassbox {
@@ -15,12 +16,16 @@ struct Row {
     bool heading;
 };
 
-std::vector<Row> rows_of(std::span<const Event> events) {
+/// `kept` tells which events are shown, as of `events_kept`.
+std::vector<Row> rows_of(std::span<const Event> events, const std::vector<bool>& kept) {
     std::vector<Row> rows;
     rows.reserve(events.size() + 32);
+    const Event* before = nullptr;
     for (std::size_t i = 0; i < events.size(); ++i) {
-        if (i == 0 || events[i].group != events[i - 1].group) rows.push_back({i, true});
+        if (!kept.empty() && !kept[i]) continue;
+        if (!before || events[i].group != before->group) rows.push_back({i, true});
         rows.push_back({i, false});
+        before = &events[i];
     }
     return rows;
 }
@@ -35,10 +40,10 @@ void draw_event(const Frame& frame, std::size_t number) {
     }
     const Sign sign = sign_of(frame, number);
     ImGui::SameLine(left + .2f * em);
-    ImGui::PushStyleColor(ImGuiCol_Text, sign.color);
+    ImGui::PushStyleColor(ImGuiCol_Text, current ? frame.palette.text : sign.color);
     ImGui::TextUnformatted(sign.text);
     ImGui::PopStyleColor();
-    const float first = left + 1.4f * em;
+    const float first = left + 1.7f * em;
     const bool both = event.place && !event.formula.empty() && width > 22 * em;  // else the formula is below only
     const float middle = both ? left + .48f * width : left + width;
     ImGui::SameLine(first);
@@ -55,9 +60,14 @@ void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("shown");
     const auto step = static_cast<int>(frame.state.step);
-    const auto serial = static_cast<int>(frame.results.story_serial);
+    const int serial = static_cast<int>(2 * frame.results.story_serial) + frame.state.stepping.fed.has_value();
     const ImGuiID story_id = ImGui::GetID("story");
-    if (storage->GetInt(id, -1) == step && storage->GetInt(story_id, -1) == serial) return;
+    const ImGuiID height_id = ImGui::GetID("height");
+    const auto lines = static_cast<int>(100 * height / ImGui::GetTextLineHeightWithSpacing());
+    if (storage->GetInt(id, -1) == step && storage->GetInt(story_id, -1) == serial &&
+        storage->GetInt(height_id, -1) == lines)
+        return;
+    storage->SetInt(height_id, lines);
     storage->SetInt(id, step);
     storage->SetInt(story_id, serial);
     const auto at = std::find_if(rows.begin(), rows.end(),
@@ -70,7 +80,8 @@ void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
 
 Sign sign_of(const Frame& frame, std::size_t step) {
     const Event& event = frame.results.timeline[step];
-    if (event.holds) return *event.holds ? Sign{"✓", frame.palette.passed} : Sign{"✗", frame.palette.failed};
+    if (event.failed) return {"✗", frame.palette.failed};
+    if (event.holds) return *event.holds ? Sign{"✓", frame.palette.passed} : Sign{"no", frame.palette.faint_text};
     if (event.cancellation && !hides_loss(frame.state, frame.results, step)) return {"⚠", frame.palette.warning};
     return {"", frame.palette.text};
 }
@@ -84,7 +95,8 @@ std::string fitting(const std::string& text, float width) {
 }
 
 void draw_event_list(const Frame& frame, float height) {
-    const std::vector<Row> rows = rows_of(steps_shown(frame.state, frame.results));
+    const std::vector<Row> rows =
+        rows_of(steps_shown(frame.state, frame.results), events_kept(frame.state, frame.results));
     ImGui::BeginChild("events", {0, height}, true);
     follow(frame, rows, ImGui::GetWindowHeight());
     ImGuiListClipper clipper;

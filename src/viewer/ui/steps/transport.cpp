@@ -5,8 +5,10 @@
 
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 #include "viewer/ui/steps/parts.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 
@@ -61,47 +63,40 @@ bool icon_button(const char* id, Icon icon, const char* what) {
 
 void buttons(const Frame& frame) {
     ViewerState& state = frame.state;
-    const auto go = [&](StepTo to) {
-        state.playing = false;
-        state.step = stepped(steps_shown(state, frame.results), state.step, to);
-    };
+    const auto to = [&](StepTo where) { go(state, frame.results, where); };
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    if (icon_button("##first", Icon::first, "To the first step (Home)")) go(StepTo::first);
+    if (icon_button("##first", Icon::first, "To the first step (Home)")) to(StepTo::first);
     ImGui::SameLine(0, gap);
-    if (icon_button("##back", Icon::back, "A step back ([)")) go(StepTo::back);
+    if (icon_button("##back", Icon::back, "A step back ([)")) to(StepTo::back);
     ImGui::SameLine(0, gap);
     if (icon_button("##play", state.playing ? Icon::pause : Icon::play,
                     state.playing ? "Pause (Space)" : "Play (Space)"))
         play_or_pause(state, frame.results);
     ImGui::SameLine(0, gap);
-    if (icon_button("##forward", Icon::forward, "A step forward (])")) go(StepTo::forward);
+    if (icon_button("##forward", Icon::forward, "A step forward (])")) to(StepTo::forward);
     ImGui::SameLine(0, gap);
-    if (icon_button("##last", Icon::last, "To the last step (End)")) go(StepTo::last);
+    if (icon_button("##last", Icon::last, "To the last step (End)")) to(StepTo::last);
 
-    const auto width = [](const char* label) {
-        return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-    };
-    ImGui::SameLine(0, gap);
-    const bool in_full = ImGui::GetContentRegionAvail().x > width("✗ next failed") + gap + width("⚠ next cancellation");
-    ImGui::NewLine();
-    const auto next = [&](const char* full, const char* brief, ImU32 color, StepTo to, const char* what) {
-        const char* const label = in_full ? full : brief;
-        same_line_if_fits(width(label));
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
+    const auto press = [](const char* label, const char* what) {
+        same_line_if_fits(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
         const bool clicked = ImGui::Button(label);
-        ImGui::PopStyleColor();
         tip(what);
-        if (clicked) go(to);
+        return clicked;
     };
-    next("✗ next failed", "✗ next", frame.palette.failed, StepTo::next_failed, "To the next test that says no (n)");
-    next("⚠ next cancellation", "⚠ next", frame.palette.warning, StepTo::next_cancellation,
-         "To the next sum or difference that loses a bit or more beyond those of its operands (c)");
+    if (press("Into", "Into what the line of the call stack calls (i)")) step_into(state, frame.results);
+    if (press("Over", "Over that line (o)")) step_over(state, frame.results);
+    if (press("Out", "Out of the function (u)")) step_out(state, frame.results);
+    if (press("no", "To the next condition that does not hold, or surface that is missed (n)")) to(StepTo::next_no);
+    if (press("✗", "To what failed next: a wrong answer, a number too large (x)")) to(StepTo::next_failed);
+    if (press("⚠", "To the next sum or difference that loses a bit or more beyond those of its operands (c)"))
+        to(StepTo::next_cancellation);
 }
 
-/// All events on a line: above it the failed tests, below it the cancellations.
+/// All events on a line: above it what failed, below it the cancellations.
 void slider(const Frame& frame) {
     ViewerState& state = frame.state;
     const std::span<const Event> events = steps_shown(state, frame.results);
+    const std::vector<bool> kept = events_kept(state, frame.results);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), pad = height / 3;
     ImGui::InvisibleButton("##steps", {std::max(width, 1.f), height});
@@ -121,6 +116,7 @@ void slider(const Frame& frame) {
                        ImGui::GetStyle().FrameRounding);
     for (std::size_t i = 0; i < events.size(); ++i) {
         const float x = x_of(i);
+        if (!kept.empty() && !kept[i]) continue;
         if (events[i].failed) list.AddLine({x, from.y + thick}, {x, middle - thick}, frame.palette.failed, thick);
         if (events[i].cancellation && !hides_loss(state, frame.results, i))
             list.AddLine({x, middle + thick}, {x, from.y + height - thick}, frame.palette.warning, thick);
@@ -134,6 +130,7 @@ void slider(const Frame& frame) {
 void counts(const Frame& frame) {
     const std::span<const Event> events = steps_shown(frame.state, frame.results);
     const auto failed = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.failed; });
+    const auto denied = std::count_if(events.begin(), events.end(), says_no);
     auto lost = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.cancellation; });
     if (!events.empty() && hides_loss(frame.state, frame.results, events.size() - 1)) --lost;
     ImGui::AlignTextToFramePadding();
@@ -146,6 +143,7 @@ void counts(const Frame& frame) {
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
     };
+    piece(fmt::format(" {} no", denied), frame.palette.faint_text);
     piece(fmt::format(" ✗ {} failed", failed), frame.palette.failed);
     piece(fmt::format(" ⚠ {} cancelled", lost), frame.palette.warning);
     const float wide = 7 * ImGui::GetFontSize();
@@ -165,6 +163,14 @@ void counts(const Frame& frame) {
 void same_line_if_fits(float width) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void draw_hidden(const Frame& frame) {
+    const std::string hidden = hidden_in_words(frame.state, frame.results);
+    if (hidden.empty()) return;
+    draw_wrapped(frame.palette.warning, hidden);
+    flow("Show all (v)");
+    if (ImGui::Button("Show all (v)")) show_only_feeding(frame.state, frame.results, false);
 }
 
 void draw_transport(const Frame& frame) {

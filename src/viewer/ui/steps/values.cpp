@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/stepping.hpp"
 #include "viewer/ui/steps/parts.hpp"
+#include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
@@ -24,32 +27,56 @@ std::string how_true(std::string_view printed, const Checked& number) {
     return std::isnan(number.bits_lost) ? text : text + ", " + lost(number);
 }
 
-/// A number, and beside it what is known of it, unless that is to be guessed.
-void number_row(const Frame& frame, const std::string& name, const Checked& number, ImU32 color,
-                bool hides_truth = false) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    draw_wrapped(color, name);
-    ImGui::TableNextColumn();
-    ImGui::PushFont(frame.fonts.mono);
+/// The same of a step's result, with what of it is its own loss.
+std::string how_true_and_why(std::string_view printed, const Checked& number) {
+    const bool told = number.own_loss != 0 || number.inherited_loss != 0;
+    return how_true(printed, number) + (told ? ": " + own_and_inherited(number) : "");
+}
+
+/// How a number's name looks, and where a click on it leads.
+struct Look {
+    ImU32 color;
+    std::optional<std::size_t> made_by = {};
+    const char* tip = "";
+};
+
+/// Draws a name that a click follows.
+void draw_link(const Frame& frame, const std::string& name, const Look& look) {
+    draw_wrapped(look.color, name);
+    if (!look.made_by) return;
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddLine({from.x, to.y}, to, look.color);
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImGui::SetTooltip("%s", look.tip);
+    if (ImGui::IsMouseClicked(0)) jump(frame.state, frame.results, *look.made_by);
+}
+
+/// Draws a number, and below it what is known of it.
+void draw_number(const Frame& frame, const std::string& name, const Checked& number, const Look& look,
+                 std::string (*known)(std::string_view, const Checked&)) {
+    draw_link(frame, (look.made_by ? "← " : "") + name + " =", look);
     const std::string value = fmt::format("{:.17g}", number.value);
+    ImGui::PushFont(frame.fonts.mono);
+    same_line_if_fits(ImGui::CalcTextSize(value.c_str()).x + ImGui::GetFontSize());
     draw_wrapped(value);
     ImGui::PopFont();
-    if (hides_truth) return;
-    const std::string truth = how_true(value, number);
-    same_line_if_fits(ImGui::CalcTextSize(truth.c_str()).x);
-    draw_wrapped(frame.palette.faint_text, truth);
+    if (!known) return;
+    ImGui::Indent(ImGui::GetFontSize());
+    draw_wrapped(frame.palette.faint_text, known(value, number));
+    ImGui::Unindent(ImGui::GetFontSize());
 }
 
 /// Draws the result of a comparison, and whether that is true.
 void draw_answer(const Frame& frame, const Checked& answer) {
     const bool holds = answer.value != 0;
-    std::string text = holds ? "✓ yes" : "✗ no";
+    const bool wrong = answer.known != Known::not_at_all && answer.truth != answer.value;
+    std::string text = wrong ? (holds ? "✗ yes" : "✗ no") : holds ? "✓ yes" : "no";
     if (answer.known == Known::not_at_all) text += "; whether it is truly so is not known";
-    else if (answer.truth != answer.value) text += holds ? ", but truly no" : ", but truly yes";
+    else if (wrong) text += holds ? ", but truly no: this failed" : ", but truly yes: this failed";
     else
         text += answer.error == 0 ? ", proven by the error bounds" : ", truly so, but the error bounds cannot prove it";
-    draw_wrapped(holds ? frame.palette.passed : frame.palette.failed, text);
+    draw_wrapped(wrong ? frame.palette.failed : holds ? frame.palette.passed : frame.palette.text, text);
 }
 
 void draw_step(const Frame& frame, const Event& event) {
@@ -58,19 +85,21 @@ void draw_step(const Frame& frame, const Event& event) {
     const int count = operands(told.step.operation);
     const bool compares = is_comparison(told.step.operation),
                hidden = hides_loss(frame.state, frame.results, frame.state.step);
-    if (ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingStretchProp)) {
-        ImGui::TableSetupColumn("name", 0, .33f);
-        ImGui::TableSetupColumn("value", 0, .67f);
-        number_row(frame, event.left, steps[told.step.left].checked, frame.palette.text);
-        if (count == 2) number_row(frame, event.right, steps[told.step.right].checked, frame.palette.text);
-        if (!compares)
-            number_row(frame, told.name.empty() ? "result" : told.name, told.checked, frame.palette.accent, hidden);
-        ImGui::EndTable();
-    }
+    const auto operand = [&](std::optional<std::size_t> made_by, const char* what) {
+        return Look{made_by ? frame.palette.accent : frame.palette.text, made_by, what};
+    };
     if (compares) draw_answer(frame, told.checked);
+    else
+        draw_number(frame, told.name.empty() ? "result" : told.name, told.checked, {frame.palette.text},
+                    hidden ? nullptr : how_true_and_why);
     if (event.cancellation && !hidden)
         draw_wrapped(frame.palette.warning, fmt::format("⚠ cancellation: {:.1f} bits lost beyond those of the operands",
                                                         bits_lost_by(steps, told)));
+    draw_number(frame, event.left, steps[told.step.left].checked,
+                operand(event.left_made_by, "To the step that made it (e)"), how_true);
+    if (count == 2)
+        draw_number(frame, event.right, steps[told.step.right].checked,
+                    operand(event.right_made_by, "To the step that made it (Shift+e)"), how_true);
 }
 
 }  // namespace
@@ -78,7 +107,11 @@ void draw_step(const Frame& frame, const Event& event) {
 void draw_values(const Frame& frame, const Event& event) {
     const Sign sign = sign_of(frame, frame.state.step);
     const std::string& text = event.formula.empty() ? event.what : event.formula;
-    draw_wrapped(sign.color, (*sign.text ? std::string(sign.text) + ' ' : "") + text);
+    const bool no = says_no(event) && !event.failed;
+    draw_wrapped(no ? frame.palette.text : sign.color, (no           ? "no: "
+                                                        : *sign.text ? std::string(sign.text) + ' '
+                                                                     : "") +
+                                                           text);
     if (event.place) draw_step(frame, event);
 }
 

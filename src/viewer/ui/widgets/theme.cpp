@@ -24,6 +24,10 @@ constexpr Palette on_dark{
     .n_l = IM_COL32(240, 200, 60, 255),
     .n_r = IM_COL32(86, 180, 233, 255),
     .n_h = IM_COL32(190, 155, 255, 255),
+    .keyword = IM_COL32(140, 195, 255, 255),
+    .number = IM_COL32(240, 190, 120, 255),
+    .string = IM_COL32(160, 215, 150, 255),
+    .comment = IM_COL32(180, 180, 186, 255),
     .box = IM_COL32(230, 159, 0, 255),
 };
 constexpr Palette on_light{
@@ -42,6 +46,10 @@ constexpr Palette on_light{
     .n_l = IM_COL32(115, 80, 0, 255),
     .n_r = IM_COL32(0, 82, 145, 255),
     .n_h = IM_COL32(95, 45, 165, 255),
+    .keyword = IM_COL32(0, 60, 150, 255),
+    .number = IM_COL32(120, 60, 0, 255),
+    .string = IM_COL32(20, 85, 30, 255),
+    .comment = IM_COL32(80, 80, 86, 255),
     .box = IM_COL32(120, 76, 0, 255),
 };
 
