@@ -6,7 +6,7 @@
 #include <charconv>
 #include <set>
 
-#include "explain/shell_word.hpp"
+#include "scene/shell_word.hpp"
 #include "learn/build/function_line.hpp"
 #include "learn/build/headers.hpp"
 #include "numerics/printed_bound.hpp"

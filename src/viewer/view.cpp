@@ -11,6 +11,7 @@ void view(ViewerState state, std::optional<WindowSize> size) {
     const std::filesystem::path kept = settings_file();
     const Settings before = read_settings(kept);
     remember(state, before);
+    remember_recent(state.scene_menu, state.file);
     Window window("Glassbox", size.value_or(WindowSize{before.window_width, before.window_height}));
     Interface interface(std::move(state), window.scale(), [] { Window::wake(); });
     const auto draw = [&](const Input& input) {

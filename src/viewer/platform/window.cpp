@@ -106,6 +106,7 @@ struct Window::Platform {
     std::optional<GuiInput> gui_input;
 
     std::vector<KeyPress> keys;  // since the last frame
+    std::vector<std::string> dropped;
     int modifiers = 0;           // of the key pressed last, whose character comes next
     bool stirred = true;         // something happened since the last frame
     double start = 0;
@@ -128,6 +129,10 @@ struct Window::Platform {
             of(from).on_key(key, scancode, action, mods);
         });
         glfwSetCharCallback(w, [](GLFWwindow* from, unsigned character) { of(from).on_character(character); });
+        glfwSetDropCallback(w, [](GLFWwindow* from, int count, const char** files) {
+            of(from).dropped.assign(files, files + count);
+            of(from).stirred = true;
+        });
         glfwSetCursorPosCallback(w, [](GLFWwindow* from, double, double) { of(from).stirred = true; });
         glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int, int, int) { of(from).stirred = true; });
         glfwSetScrollCallback(w, [](GLFWwindow* from, double, double) { of(from).stirred = true; });
@@ -174,7 +179,7 @@ struct Window::Platform {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
-        const double stands = draw({std::exchange(keys, {}), glfwGetTime() - start});
+        const double stands = draw({std::exchange(keys, {}), glfwGetTime() - start, std::exchange(dropped, {})});
         ImGui::Render();
         int width = 0, height = 0;
         glfwGetFramebufferSize(window.get(), &width, &height);

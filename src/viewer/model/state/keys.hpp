@@ -21,6 +21,10 @@ struct KeyBinding {
 
 std::span<const KeyBinding> key_bindings();
 
+/// Whether a window is shown that has the keyboard: what is typed is meant for it, whether or not its field has the
+/// focus.
+bool takes_keyboard(const ViewerState& state);
+
 /// Does what the key means, if it means anything.
 void obey(const KeyPress& press, ViewerState& state, const Results& results);
 

@@ -31,7 +31,7 @@ struct ExplainPixel {
         const auto& [seen, pixel, file] = request;
         Story story = explain(applied(*seen.scene, seen.setup), seen.setup.options, pixel.x, pixel.y, Detail::whole,
                               background_job(seen, run));
-        story.command = explain_command(file, *seen.scene, seen.setup, pixel);
+        story.command = explain_command(words_of(file, *seen.scene, seen.setup), pixel);
         deliver(std::make_shared<const Story>(std::move(story)));
     }
     static void tidy(const ViewerState& state, Results& results, bool) {

@@ -12,6 +12,8 @@
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
+#include "viewer/model/files/save_menu.hpp"
+#include "viewer/model/files/thumbnail.hpp"
 
 namespace glassbox {
 
@@ -44,6 +46,8 @@ struct Results {
     std::vector<Question> questions;                  ///< of that timeline
     std::shared_ptr<const Story> compared;            ///< of the second pinned pixel; null: none
     std::shared_ptr<const BoxLevels> boxes;           ///< the engine's hierarchy; null: not drawn, or not there yet
+    std::shared_ptr<const Thumbnails> thumbnails;     ///< of the scenes that are listed; null: none yet
+    Saved saved;                                      ///< how the last file's writing ended
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
     std::uint64_t mine_serial = 0;
 
