@@ -140,7 +140,8 @@ Scene load(const Request& request) {
 }
 
 Setup typed_setup(const Request& request, Setup setup) {
-    for (const Parameter* parameter : all_typed(request)) setup = taken_over(std::move(setup), *parameter, request.setup);
+    for (const Parameter* parameter : all_typed(request))
+        setup = taken_over(std::move(setup), *parameter, request.setup);
     return setup;
 }
 

@@ -123,7 +123,8 @@ void add_view(CLI::App& program) {
                       "the picture of your own code beside ours: of the lesson where you are, of lesson 2 with "
                       "--mine=2, of all that you have written with --mine=all");
     command->add_option("--folder", request->folder, "the folder of your own code (default: my)")->type_name("DIR");
-    command->add_option("--size", request->window, "of the window, in pixels (default: as last time)")->type_name("WxH");
+    command->add_option("--size", request->window, "of the window, in pixels (default: as last time)")
+        ->type_name("WxH");
     add_file(*command, "--script", "FILE", "run the commands in a file, without a display (docs/viewer.md)",
              request->script);
     add_file(*command, "--screenshot", "OUT.png", "draw one picture of the interface, without a display",

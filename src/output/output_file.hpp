@@ -27,8 +27,8 @@ std::string_view measurements_extension(const std::filesystem::path& path);
 void write_picture(const std::filesystem::path& path, const Image& image, const Origin& origin,
                    std::stop_token stop = {});
 
-/// Writes .png or .ppm: heat maps with legends; .csv or .exr: the numbers; with their origin, for which only .csv has no
-/// place. Throws Cancelled when asked to stop.
+/// Writes .png or .ppm: heat maps with legends; .csv or .exr: the numbers; with their origin, for which only .csv has
+/// no place. Throws Cancelled when asked to stop.
 void write_measurements(const std::filesystem::path& path, std::span<const Measured> measured, const Origin& origin,
                         std::stop_token stop = {});
 

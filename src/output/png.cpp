@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "scene/error.hpp"
 
@@ -25,10 +25,12 @@ void append_number(std::string& bytes, std::uint32_t number) {
     for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(number >> shift & 255);
 }
 
-/// A chunk of text: its keyword, then neither compressed nor in a language, then UTF-8.
+/// A chunk of text after its keyword: tEXt, which every program reads; with letters that are not ASCII iTXt, in UTF-8,
+/// neither compressed nor in a language.
 std::string text_chunk(const std::string& keyword, const std::string& text) {
-    constexpr std::string_view plain("\0\0\0\0\0", 5);
-    std::string typed = ("iTXt" + keyword).append(plain) + text;
+    const bool ascii =
+        std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+    std::string typed = (ascii ? "tEXt" : "iTXt") + keyword + std::string(ascii ? 1 : 5, '\0') + text;
     std::string chunk;
     append_number(chunk, static_cast<std::uint32_t>(typed.size() - 4));
     chunk += typed;

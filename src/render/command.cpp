@@ -45,9 +45,7 @@ std::string measure_command(const SceneWords& scene, std::span<const std::string
            file_word(usual_name(scene.file, what, extension));
 }
 
-std::string view_command(const SceneWords& scene, std::string_view more) {
-    return begun("view", scene).append(more);
-}
+std::string view_command(const SceneWords& scene, std::string_view more) { return begun("view", scene).append(more); }
 
 std::string usual_name(const std::filesystem::path& scene, std::span<const std::string_view> what,
                        std::string_view ending) {

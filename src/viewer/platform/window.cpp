@@ -107,8 +107,8 @@ struct Window::Platform {
 
     std::vector<KeyPress> keys;  // since the last frame
     std::vector<std::string> dropped;
-    int modifiers = 0;           // of the key pressed last, whose character comes next
-    bool stirred = true;         // something happened since the last frame
+    int modifiers = 0;    // of the key pressed last, whose character comes next
+    bool stirred = true;  // something happened since the last frame
     double start = 0;
 
     Platform(const std::string& title, WindowSize size) : window(make_window(title, size)) {

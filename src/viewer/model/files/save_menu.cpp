@@ -178,7 +178,8 @@ void obey_in_save_menu(const KeyPress& press, ViewerState& state, const Results&
     if (press.key != Key::up && press.key != Key::down) return;
     const std::vector<SaveChoice> all = save_choices(state);
     auto chosen = std::find_if(all.begin(), all.end(), [&](const SaveChoice& one) { return one.what == menu.what; });
-    if (press.key == Key::down && chosen != all.end() && std::next(chosen) != all.end()) choose(state, std::next(chosen)->what);
+    if (press.key == Key::down && chosen != all.end() && std::next(chosen) != all.end())
+        choose(state, std::next(chosen)->what);
     if (press.key == Key::up && chosen != all.begin()) choose(state, std::prev(chosen)->what);
 }
 

@@ -40,19 +40,19 @@ struct Saving {
 
 /// How a file's writing ended.
 struct Saved {
-    int number = 0;      ///< of the Saving
-    std::string error;   ///< empty: it is there
+    int number = 0;     ///< of the Saving
+    std::string error;  ///< empty: it is there
 };
 
 /// The window *Save*.
 struct SaveMenu {
     bool shown = false;
     SaveWhat what = SaveWhat::picture;
-    std::string typed;   ///< the file's name
-    std::string asked;   ///< the file that is there, and that the next Enter replaces; empty: nothing is asked
-    std::string error;   ///< what is wrong with what is typed
+    std::string typed;  ///< the file's name
+    std::string asked;  ///< the file that is there, and that the next Enter replaces; empty: nothing is asked
+    std::string error;  ///< what is wrong with what is typed
     std::filesystem::path folder;  ///< where a name without a folder is written
-    int renewed = 0;     ///< how often `typed` was set by something else than typing
+    int renewed = 0;               ///< how often `typed` was set by something else than typing
 };
 
 /// What the state shows that can be saved.
@@ -74,8 +74,8 @@ void type(SaveMenu& menu, const std::string& typed);
 /// there is nothing of the kind, or not yet.
 Saving saving(const ViewerState& state, const Results& results, SaveWhat what, const std::filesystem::path& file);
 
-/// Asks for the file to be written, and closes the window; or says what is wrong; or asks whether to replace a file that
-/// is there, once.
+/// Asks for the file to be written, and closes the window; or says what is wrong; or asks whether to replace a file
+/// that is there, once.
 void save(ViewerState& state, const Results& results);
 
 /// Computes and writes. Throws Error, Cancelled.

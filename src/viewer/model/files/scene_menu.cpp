@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
@@ -69,15 +70,22 @@ fs::path from_here(const fs::path& file) {
     return relative.empty() || *relative.begin() == ".." ? as_absolute(file) : relative;
 }
 
-/// Where the typed folder is, seen from the one that is browsed.
-fs::path typed_folder(const SceneMenu& menu) { return menu.browsed / parts_of(menu.typed).folder; }
+/// Where what is typed is, seen from the folder that is browsed; ~/ is the home folder.
+fs::path place_of(const SceneMenu& menu, const std::string& typed) {
+    const char* const home = std::getenv("HOME");
+    return home && typed.starts_with("~/") ? fs::path(home) / typed.substr(2) : menu.browsed / typed;
+}
+
+fs::path typed_folder(const SceneMenu& menu) { return place_of(menu, parts_of(menu.typed).folder); }
 
 void browse(SceneMenu& menu, const fs::path& folder) {
     menu.browsed = as_absolute(folder);
     menu.typed.clear();
     ++menu.renewed;
     list_scenes(menu);
-    menu.chosen = 0;
+    const auto scene =
+        std::find_if(menu.listed.begin(), menu.listed.end(), [](const SceneRow& r) { return !r.is_folder; });
+    menu.chosen = scene == menu.listed.end() ? 0 : static_cast<std::size_t>(scene - menu.listed.begin());
 }
 
 void move_choice(SceneMenu& menu, int by) {
@@ -167,7 +175,7 @@ void open_chosen(ViewerState& state) {
         return open_scene(state, from_here(row.path));
     }
     try {
-        const fs::path typed = menu.browsed / menu.typed;
+        const fs::path typed = place_of(menu, menu.typed);
         std::error_code none;
         open_scene(state, fs::exists(typed, none) ? from_here(typed) : scene_path(menu.typed));
     } catch (const Error& error) {
@@ -181,10 +189,11 @@ void open_dropped(ViewerState& state, const std::vector<std::string>& files) {
     if (files.empty()) return;
     const fs::path first(files.front());
     const bool is_mesh = in_lower_case_latin(first.extension().string()) == ".obj";
-    state.notice = refused(is_mesh ? fmt::format("{} is a mesh, and a scene says how it is seen: write file = \"{}\" under "
-                                                 "[[mesh]] in a scene (.toml), and drop that",
-                                                 first.filename().string(), first.filename().string())
-                                   : fmt::format("{} is no scene: drop a scene file, .toml", first.filename().string()));
+    state.notice =
+        refused(is_mesh ? fmt::format("{} is a mesh, and a scene says how it is seen: write file = \"{}\" under "
+                                      "[[mesh]] in a scene (.toml), and drop that",
+                                      first.filename().string(), first.filename().string())
+                        : fmt::format("{} is no scene: drop a scene file, .toml", first.filename().string()));
 }
 
 void remember_recent(SceneMenu& menu, const fs::path& file) {

@@ -17,7 +17,8 @@ Thumbnail thumbnail(const std::filesystem::path& file, const FileVersion& versio
     try {
         Scene scene = read_scene(file);
         made.title = scene.title;
-        const double shrunk = std::min({1.0, 1.0 * thumbnail_width / scene.width, 1.0 * thumbnail_height / scene.height});
+        const double shrunk =
+            std::min({1.0, 1.0 * thumbnail_width / scene.width, 1.0 * thumbnail_height / scene.height});
         const auto side = [&](int whole) { return std::max(1, static_cast<int>(shrunk * whole)); };
         const int width = side(scene.width), height = side(scene.height);
         made.image = std::make_shared<const Image>(render(resized(std::move(scene), width, height), Options{}, job));

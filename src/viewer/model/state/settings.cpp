@@ -31,7 +31,8 @@ std::vector<std::filesystem::path> paths(const Json& json, const char* name) {
     const auto found = json.find(name);
     if (found == json.end() || !found->is_array()) return all;
     for (const Json& path : *found)
-        if (path.is_string() && all.size() < most_recent && std::filesystem::path(path.get<std::string>()).is_absolute())
+        if (path.is_string() && all.size() < most_recent &&
+            std::filesystem::path(path.get<std::string>()).is_absolute())
             all.emplace_back(path.get<std::string>());
     return all;
 }
@@ -81,7 +82,7 @@ void write_settings(const std::filesystem::path& file, const Settings& settings)
 }
 
 Settings settings_of(const ViewerState& state, int window_width, int window_height) {
-    return {state.appearance, state.side_width, state.space_height,           state.space_shown,
+    return {state.appearance, state.side_width, state.space_height,     state.space_shown,
             window_width,     window_height,    state.scene_menu.recent};
 }
 

@@ -15,7 +15,7 @@ void draw_faint(const Frame& frame, bool chosen, const std::string& text) {
 
 /// A scene at a glance: its picture, its name, its title or what is wrong with it.
 void draw_scene(const Frame& frame, const SceneRow& row, bool chosen) {
-    const float side = std::min(3 * ImGui::GetFontSize(), .25f * ImGui::GetContentRegionAvail().x);
+    const float side = std::min(5.4f * ImGui::GetFontSize(), .25f * ImGui::GetContentRegionAvail().x);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side * thumbnail_height / thumbnail_width});
     if (const Texture* const small = frame.thumbnails.of(row.path)) {
@@ -29,7 +29,8 @@ void draw_scene(const Frame& frame, const SceneRow& row, bool chosen) {
     const Thumbnails* const known = frame.results.thumbnails.get();
     const auto found = known ? known->find(row.path) : Thumbnails::const_iterator();
     if (!known || found == known->end()) draw_faint(frame, chosen, "…");
-    else if (!found->second.error.empty()) draw_failure(frame, found->second.error);
+    else if (const std::string& error = found->second.error; !error.empty())
+        chosen ? draw_faint(frame, chosen, "✗ " + error) : draw_failure(frame, error);
     else draw_faint(frame, chosen, found->second.title.empty() ? "without a title" : found->second.title);
     ImGui::EndGroup();
 }
@@ -63,7 +64,8 @@ void draw_scene_menu(const Frame& frame) {
     SceneMenu& menu = frame.state.scene_menu;
     if (!menu.shown) return;
     draw_dialog("Open a scene", menu.shown, 40, 36, [&] {
-        type(menu, typed_text("a name, or a path/to/scene.toml", menu.typed, menu.renewed, [&] { return completed(menu); }));
+        type(menu,
+             typed_text("a name, or a path/to/scene.toml", menu.typed, menu.renewed, [&] { return completed(menu); }));
         draw_failure(frame, frame.state.file_error);
         const char* const keys = "↑ ↓ choose · Enter opens · Tab completes · Esc closes";
         const float below = wrapped_height(keys) + ImGui::GetStyle().ItemSpacing.y;
