@@ -5,6 +5,7 @@
 
 #include "cli/program.hpp"
 #include "cli/tiny_scene.hpp"
+#include "output/command_in.hpp"
 
 using namespace glassbox::test;
 
@@ -40,6 +41,7 @@ void check_made_again(const Folder& folder, Arguments arguments, const std::stri
     const std::string command = command_in(made);
     CAPTURE(command);
     REQUIRE(command.starts_with("glassbox "));
+    CHECK(run_glassbox({"again", name}, {.folder = folder.path}).out == command + '\n');
     std::filesystem::remove(folder / name);
     const std::string line = "cd '" + folder.path.string() + "' && '" GLASSBOX_PROGRAM "' " + command.substr(9);
     REQUIRE(std::system(line.c_str()) == 0);
@@ -76,6 +78,28 @@ TEST_CASE("the bytes do not depend on the file's name, nor on the number of thre
     run_glassbox({"render", "s.toml", "-o", "elsewhere/b.png", "--threads", "3"}, {.folder = folder.path});
     CHECK(content(folder / "a.png") == content(folder / "elsewhere/b.png"));
     CHECK(command_in(content(folder / "a.png")) == "glassbox render s.toml -o s.png");
+}
+
+TEST_CASE("again: what has no command, or is cut off, says so") {
+    const Folder folder;
+    write(folder / "s.toml", tiny_scene);
+    for (const char* name : {"a.png", "a.ppm"}) run_glassbox({"render", "s.toml", "-o", name}, {.folder = folder.path});
+    run_glassbox({"measure", "s.toml", "--what", "hits", "-o", "a.exr"}, {.folder = folder.path});
+    for (const char* name : {"a.png", "a.ppm", "a.exr"}) {
+        const std::string whole = content(folder / name);
+        for (std::size_t size = 0; size < whole.size(); ++size) {  // never beyond its end
+            if (size > 400) break;
+            const std::string part = glassbox::command_in(whole.substr(0, size));
+            CHECK_MESSAGE(command_in(whole).starts_with(part), name);
+        }
+    }
+    for (const std::string text : {"", "P6\n# no newline", "\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXtCommand"}) {
+        write(folder / "bad.png", text);
+        check_refused(folder, {"again", "bad.png"}, 1, {"bad.png: error: it says no command"});
+    }
+    check_refused(folder, {"again", "s.toml"}, 1, {"s.toml: error: it says no command"});
+    check_refused(folder, {"again", "none.png"}, 1, {"none.png: error: there is no such file"});
+    check_refused(folder, {"again"}, 2, {"FILE is missing"});
 }
 
 TEST_CASE("a table stays as it is") {
