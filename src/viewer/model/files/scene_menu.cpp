@@ -101,6 +101,9 @@ void show_scene_menu(ViewerState& state) {
     menu.shown = true;
     state.file_error.clear();
     browse(menu, menu.browsed);
+    const auto is_scene = [&](std::size_t i) { return i < menu.listed.size() && !menu.listed[i].is_folder; };
+    const bool is_open = is_scene(menu.chosen) && menu.listed[menu.chosen].path == as_absolute(state.file);
+    if (is_open && is_scene(menu.chosen + 1)) ++menu.chosen;  // rather another one
 }
 
 void list_scenes(SceneMenu& menu) {
