@@ -170,6 +170,7 @@ _glassbox() {
     :0) ! _glassbox_is_script "$(type -P -- "${COMP_WORDS[0]}")" || _glassbox_offer test "$cur" ;;
     :1) ! [[ ${words[0]} == test ]] || _glassbox_offer everything "$cur" ;;
     render:0 | measure:0 | shoot:0 | explain:0 | view:0 | scene:0 | bench:*) _glassbox_offer_scenes "$share" "$cur" ;;
+    again:0) _glassbox_offer_files "$cur" .png .ppm .exr ;;
     'learn mistake:1') _glassbox_offer "$(_glassbox_mistakes "$program" "${words[@]}")" "$cur" ;;
     'learn report:'*) _glassbox_offer_files "$cur" ;;
     'learn status:'*) ;;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -44,6 +45,10 @@ struct Heading {
     }
 };
 
+constexpr const char* what_is_seen = "What is seen";
+constexpr const char* how_shaded = "How it is shaded (defaults: as the scene says)";
+constexpr const char* how_computed = "How it is computed";
+
 using Typed = const std::string&;
 
 /// What the words that a value is chosen by are, and which is the default where no scene says it.
@@ -62,7 +67,7 @@ std::string help_of(const Parameter& parameter) {
     });
 }
 
-void add_parameters(const Heading& heading, Subject subject, Request& request) {
+void add_subject(const Heading& heading, Subject subject, Request& request) {
     for (const Parameter& parameter : parameters()) {
         if (parameter.subject != subject) continue;
         const std::string option = fmt::format("--{}", parameter.name);
@@ -78,17 +83,28 @@ void add_parameters(const Heading& heading, Subject subject, Request& request) {
 }
 
 void add_picture_options(CLI::App& command, Request& request) {
-    const Heading picture{command, "What is seen"};
+    const Heading picture{command, what_is_seen};
     picture.add("--size", "WxH", "pixels of the picture (default: as the scene says)",
                 [&](const std::string& name, Typed typed) { request.size = size(name, typed); });
-    add_parameters(picture, Subject::view, request);
+    add_subject(picture, Subject::view, request);
 }
 
 void add_computing_options(CLI::App& command, Request& request) {
-    const Heading computing{command, "How it is computed"};
-    add_parameters(computing, Subject::computing, request);
+    const Heading computing{command, how_computed};
+    add_subject(computing, Subject::computing, request);
     computing.add("--threads", "N", "how many threads (default: as many as there are cores)",
                   [&](const std::string& name, Typed typed) { request.threads = whole_number(name, typed, 1, 1024); });
+}
+
+/// The parameters that were typed, flags too, in the order of the table.
+std::vector<const Parameter*> all_typed(const Request& request) {
+    std::vector<const Parameter*> all;
+    for (const Parameter& parameter : parameters()) {
+        const auto* const flag = std::get_if<bool Options::*>(&parameter.member);
+        const bool is_on = flag && part(request.setup, *flag);
+        if (is_on || std::count(request.typed.begin(), request.typed.end(), &parameter) > 0) all.push_back(&parameter);
+    }
+    return all;
 }
 
 }  // namespace
@@ -99,8 +115,14 @@ void add_scene_options(CLI::App& command, Request& request) {
         ->type_name(" ")
         ->required();
     add_picture_options(command, request);
-    add_parameters({command, "How it is shaded (defaults: as the scene says)"}, Subject::shading, request);
+    add_subject({command, how_shaded}, Subject::shading, request);
     add_computing_options(command, request);
+}
+
+void add_parameters(CLI::App& command, Request& request) {
+    add_subject({command, what_is_seen}, Subject::view, request);
+    add_subject({command, how_shaded}, Subject::shading, request);
+    add_subject({command, how_computed}, Subject::computing, request);
 }
 
 CLI::Option* add_file(CLI::App& command, const char* option, const char* value, const char* help, std::string& file) {
@@ -114,10 +136,20 @@ CLI::Option* add_file(CLI::App& command, const char* option, const char* value, 
 Scene load(const Request& request) {
     Scene scene = read_scene(scene_path(request.scene));
     if (request.size) scene = resized(std::move(scene), request.size->first, request.size->second);
-    Setup setup = setup_of(scene);
-    failing_setup(scene, setup);  // so that whoever writes a scene hears of a mistake in it, whatever reads it
-    for (const Parameter* parameter : request.typed) setup = taken_over(std::move(setup), *parameter, request.setup);
+    const Setup own = setup_of(scene);
+    failing_setup(scene, own);  // so that whoever writes a scene hears of a mistake in it, whatever reads it
+    const Setup setup = typed_setup(request, own);
     return applied(std::move(scene), setup);
+}
+
+Setup typed_setup(const Request& request, Setup setup) {
+    for (const Parameter* parameter : all_typed(request))
+        setup = taken_over(std::move(setup), *parameter, request.setup);
+    return setup;
+}
+
+SceneWords scene_words(const Request& request) {
+    return {scene_path(request.scene), request.size, request.setup, all_typed(request)};
 }
 
 }  // namespace glassbox

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/command.hpp"
 #include "render/parameters.hpp"
 #include "scene/scene.hpp"
 
@@ -23,10 +24,19 @@ struct Request {
 /// Gives a subcommand the SCENE argument and the options that all of them share.
 void add_scene_options(CLI::App& command, Request& request);
 
+/// Gives a subcommand the options of all parameters, those of the view, of shading and of computing.
+void add_parameters(CLI::App& command, Request& request);
+
+/// The same setup with what is typed.
+Setup typed_setup(const Request& request, Setup setup);
+
 /// Gives a subcommand an option that names a file.
 CLI::Option* add_file(CLI::App& command, const char* option, const char* value, const char* help, std::string& file);
 
 /// The scene that is asked for, with its changes. Throws Error.
 Scene load(const Request& request);
+
+/// How a command line asks for it again. Throws Error if there is no such scene.
+SceneWords scene_words(const Request& request);
 
 }  // namespace glassbox

@@ -17,6 +17,7 @@ void add_measure(CLI::App& program, Session& session);
 void add_shoot(CLI::App& program, Session& session);
 void add_bench(CLI::App& program, Session& session);
 void add_explain(CLI::App& program);
+void add_again(CLI::App& program);
 void add_scene(CLI::App& program);
 void add_view(CLI::App& program, Session& session);
 void add_learn(CLI::App& program, Session& session);

@@ -14,7 +14,6 @@
 #include "cli/tell.hpp"
 #include "explain/json.hpp"
 #include "explain/predict.hpp"
-#include "explain/shell_word.hpp"
 #include "explain/text.hpp"
 #include "render/typed.hpp"
 
@@ -26,18 +25,6 @@ struct ExplainRequest : Request {
     std::string pixel;
     bool json = false, predict = false;
 };
-
-/// The command line that asks for the same story.
-std::string again(const CLI::App& command, const ExplainRequest& request) {
-    std::string line = fmt::format("glassbox {} {}", command.get_name(), shell_word(request.scene));
-    for (const CLI::Option* option : command.get_options()) {
-        const std::string name = option->get_lnames().empty() ? std::string() : option->get_lnames().front();
-        if (option->count() == 0 || option->get_positional() || name == "json") continue;
-        line += " --" + name;
-        if (option->get_expected_max() > 0) line += ' ' + shell_word(option->results().front());
-    }
-    return line;
-}
 
 /// Asks a reader at the terminal. Answers that come from elsewhere are shown, as a terminal shows what is typed.
 void ask(const Story& story) {
@@ -58,7 +45,7 @@ void run(const CLI::App& command, const ExplainRequest& request) {
     note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
     Story story = explain(scene, request.setup.options, x, y);
     if (request.predict) return ask(story);
-    story.command = again(command, request);
+    story.command = explain_command(scene_words(request), {x, y});
     print_text(request.json ? to_json(story) : to_text(story));
 }
 

@@ -22,6 +22,7 @@
 #include "output/whole_file.hpp"
 #include "render/job.hpp"
 #include "scene/error.hpp"
+#include "scene/shell_word.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 
@@ -201,6 +202,14 @@ std::string whose_headers(const LearnRequest& request) {
     return request.mistake.empty() ? "by your headers" : fmt::format("with the mistake {}", request.mistake);
 }
 
+/// The command line that draws it again: none for the learner's own headers, which will change.
+Origin origin_of_picture(const LearnRequest& request, const Exercise& exercise) {
+    if (!request.solution && request.mistake.empty()) return {};
+    const std::string whose = request.solution ? "--solution" : "--mistake " + shell_word(request.mistake);
+    return {fmt::format("glassbox learn picture {} {} -o lesson{}{}", exercise.number, whose, exercise.number,
+                        picture_extension(request.picture))};
+}
+
 void picture(LearnRun& lesson) {
     const Exercise& exercise = lesson.exercise();
     check_picture_file(lesson.request.picture);
@@ -219,7 +228,7 @@ void picture(LearnRun& lesson) {
         throw Error(fmt::format("{}: error: there is no picture: {}; see {}", shown(exercise.lesson / "main.cpp"),
                                 made.died,
                                 command_line(lesson.learner.workspace(), fmt::format("test {}", exercise.number))));
-    write_picture(lesson.request.picture, *made.image, lesson.stop);
+    write_picture(lesson.request.picture, *made.image, origin_of_picture(lesson.request, exercise), lesson.stop);
     print(fmt::format("{} is written: {}x{} pixels, the picture of lesson {} {}.\n", lesson.request.picture,
                       made.image->width, made.image->height, exercise.number, whose_headers(lesson.request)));
     for (const std::string& line : made.said) tell(line);

@@ -64,7 +64,10 @@ void run(const CLI::App& command, const MeasureRequest& request, Session& sessio
     for (std::size_t i = 0; i < channels.size(); ++i)
         measured.push_back({request.wanted[i], channels[i], request.spacing});
     note(command, "no value at any pixel", without_value(measured));
-    write_measurements(request.out, measured, session.interrupt.token());
+    std::vector<std::string_view> names;
+    for (const Measurement* what : request.wanted) names.emplace_back(what->name);
+    const Origin origin{measure_command(scene_words(request), names, measurements_extension(request.out))};
+    write_measurements(request.out, measured, origin, session.interrupt.token());
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ void run(const CLI::App& command, const RenderRequest& request, Session& session
         Progress progress("rendering", std::int64_t{scene.width} * scene.height);
         return render(scene, request.setup.options, {request.threads, session.interrupt.token(), &progress.done()});
     }();
-    write_picture(out, image, session.interrupt.token());
+    write_picture(out, image, {render_command(scene_words(request), picture_extension(out))},
+                  session.interrupt.token());
     if (request.out.empty()) print_name(fs::absolute(out).string());
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -23,16 +22,14 @@ namespace {
 /// The value of --mine without a number.
 constexpr const char* present_lesson = "true";
 
-struct ViewRequest {
-    std::string scene;  ///< empty: the paper's, or that of the learner's lesson
-    std::string pixel, overlay, script, screenshot, size, mine, folder;
-    std::vector<std::pair<const Parameter*, std::string>> rules;  ///< as they were typed
+struct ViewRequest : Request {  ///< without a scene: the paper's, or that of the learner's lesson
+    std::string pixel, overlay, script, screenshot, window, mine, folder;
     bool bench = false;
 };
 
 std::optional<WindowSize> window_size(const ViewRequest& request) {
-    if (request.size.empty()) return {};
-    const auto [width, height] = size("--size", request.size);
+    if (request.window.empty()) return {};
+    const auto [width, height] = size("--size", request.window);
     return WindowSize{width, height};
 }
 
@@ -63,8 +60,7 @@ ViewerState first_state(const ViewRequest& request) {
     state.mine = choice;
     if (mine) show_last_mine(state);
     if (mine && request.pixel.empty()) state.page = Page::mine;
-    for (const auto& [parameter, typed] : request.rules)
-        state.setup.change(with_typed(state.setup.now(), *parameter, fmt::format("--{}", parameter->name), typed));
+    state.setup.change(typed_setup(request, state.setup.now()));
     return state;
 }
 
@@ -127,21 +123,14 @@ void add_view(CLI::App& program, Session& session) {
                       "the picture of your own code beside ours: of the lesson where you are, of lesson 2 with "
                       "--mine=2, of all that you have written with --mine=all");
     command->add_option("--folder", request->folder, "the folder of your own code (default: my)")->type_name("DIR");
-    for (const Parameter& parameter : parameters())
-        if (std::holds_alternative<SphereRule Options::*>(parameter.member) ||
-            std::holds_alternative<TriangleRule Options::*>(parameter.member))
-            command
-                ->add_option_function<std::string>(
-                    fmt::format("--{}", parameter.name),
-                    [request, &parameter](const std::string& typed) { request->rules.emplace_back(&parameter, typed); },
-                    fmt::format("{} to begin with", parameter.help))
-                ->type_name(parameter.unit);
-    command->add_option("--size", request->size, "of the window, in pixels (default: as last time)")->type_name("WxH");
+    command->add_option("--size", request->window, "of the window, in pixels (default: as last time)")
+        ->type_name("WxH");
     add_file(*command, "--script", "FILE", "run the commands in a file, without a display (docs/viewer.md)",
              request->script);
     add_file(*command, "--screenshot", "OUT.png", "draw one picture of the interface, without a display",
              request->screenshot);
     command->add_flag("--bench", request->bench, "measure how quickly the interface answers, without a display");
+    add_parameters(*command, *request);
     command->footer("Example: glassbox view levental-2014 --pixel 350,149 --overlay margin");
     command->callback([request, &session] { run(*request, session.interrupt.token()); });
 }

@@ -6,12 +6,12 @@
 #include <charconv>
 #include <set>
 
-#include "explain/shell_word.hpp"
 #include "learn/build/function_line.hpp"
 #include "learn/build/headers.hpp"
 #include "numerics/printed_bound.hpp"
 #include "render/option_names.hpp"
 #include "scene/printable.hpp"
+#include "scene/shell_word.hpp"
 #include "scene/suggestion.hpp"
 #include "scene/text_file.hpp"
 #include "scene/utf8.hpp"

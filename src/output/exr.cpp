@@ -4,10 +4,13 @@
 #include <tinyexr.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "scene/error.hpp"
 
@@ -29,9 +32,30 @@ std::vector<float> to_floats(const std::vector<double>& values) {
     return floats;
 }
 
+/// Copies a text into a field of fixed size that ends with zeros.
+template <std::size_t size>
+void put(char (&field)[size], std::string_view text) {
+    std::copy_n(text.data(), std::min(text.size(), size - 1), field);
+}
+
+/// The notes as attributes, which point to the notes' texts.
+std::vector<EXRAttribute> attributes_of(std::vector<std::pair<std::string, std::string>>& notes) {
+    std::vector<EXRAttribute> attributes;
+    for (auto& [name, text] : notes) {
+        EXRAttribute attribute{};
+        put(attribute.name, name);
+        attribute.name[0] = static_cast<char>(std::tolower(attribute.name[0]));  // as all names in EXR
+        put(attribute.type, "string");
+        attribute.value = reinterpret_cast<unsigned char*>(text.data());
+        attribute.size = static_cast<int>(text.size());
+        attributes.push_back(attribute);
+    }
+    return attributes;
+}
+
 }  // namespace
 
-std::vector<std::byte> exr(std::span<const Measured> measured) {
+std::vector<std::byte> exr(std::span<const Measured> measured, const Origin& origin) {
     std::vector<const Channel*> channels = all_channels(measured);
     if (channels.empty() || channels.front()->width <= 0 || channels.front()->height <= 0)
         throw Error("error: an EXR picture has at least one channel and one pixel; this one has none");
@@ -61,6 +85,10 @@ std::vector<std::byte> exr(std::span<const Measured> measured) {
     header.pixel_types = types.data();
     header.requested_pixel_types = types.data();
     header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
+    auto notes = notes_of(origin);
+    std::vector<EXRAttribute> attributes = attributes_of(notes);
+    header.num_custom_attributes = static_cast<int>(attributes.size());
+    header.custom_attributes = attributes.data();
 
     EXRImage image;
     InitEXRImage(&image);

@@ -38,35 +38,40 @@ std::string_view extension_of(const fs::path& path, Extensions known) {
     throw error_at({path.string()}, fmt::format("{}; use {}", what, either({known.begin(), known.end()})));
 }
 
-std::vector<std::byte> encoded(const Image& image, std::string_view extension) {
-    return extension == ".ppm" ? ppm(image) : png(image);
+std::vector<std::byte> encoded(const Image& image, std::string_view extension, const Origin& origin) {
+    return extension == ".ppm" ? ppm(image, origin) : png(image, origin);
 }
 
 }  // namespace
 
+std::string_view picture_extension(const fs::path& path) { return extension_of(path, picture_files); }
+
+std::string_view measurements_extension(const fs::path& path) { return extension_of(path, measurement_files); }
+
 void check_picture_file(const fs::path& path) {
     check_writable(path);
-    extension_of(path, picture_files);
+    picture_extension(path);
 }
 
 void check_measurements_file(const fs::path& path) {
     check_writable(path);
-    extension_of(path, measurement_files);
+    measurements_extension(path);
 }
 
-void write_picture(const fs::path& path, const Image& image, std::stop_token stop) {
+void write_picture(const fs::path& path, const Image& image, const Origin& origin, std::stop_token stop) {
     check_picture_file(path);
-    write_whole(path, encoded(image, extension_of(path, picture_files)), stop);
+    write_whole(path, encoded(image, picture_extension(path), origin), stop);
 }
 
-void write_measurements(const fs::path& path, std::span<const Measured> measured, std::stop_token stop) {
+void write_measurements(const fs::path& path, std::span<const Measured> measured, const Origin& origin,
+                        std::stop_token stop) {
     check_measurements_file(path);
-    const std::string_view extension = extension_of(path, measurement_files);
+    const std::string_view extension = measurements_extension(path);
     if (extension == ".csv")
         write_whole(
             path, [&](const Sink& sink) { table(measured, sink); }, stop);
-    else if (extension == ".exr") write_whole(path, exr(measured), stop);
-    else write_whole(path, encoded(heat_map(measured), extension), stop);
+    else if (extension == ".exr") write_whole(path, exr(measured, origin), stop);
+    else write_whole(path, encoded(heat_map(measured), extension, origin), stop);
 }
 
 }  // namespace glassbox

@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 
 #include <span>
+#include <string>
 
 namespace glassbox {
 
-std::vector<std::byte> ppm(const Image& image) {
-    const std::string header = fmt::format("P6\n{} {}\n255\n", image.width, image.height);
+std::vector<std::byte> ppm(const Image& image, const Origin& origin) {
+    std::string header = "P6\n";
+    for (const auto& [name, text] : notes_of(origin)) header += fmt::format("# {}: {}\n", name, text);
+    header += fmt::format("{} {}\n255\n", image.width, image.height);
     const auto head = std::as_bytes(std::span(header));
     const auto body = std::as_bytes(std::span(image.pixels));
     std::vector<std::byte> bytes;

@@ -63,4 +63,12 @@ fs::path scene_path(const std::string& typed) {
     throw no_such_scene(typed);
 }
 
+std::string scene_word(const fs::path& file) {
+    std::error_code none;
+    const std::string name = file.stem().string();
+    const bool is_shipped =
+        file.extension() == ".toml" && fs::equivalent(file, shipped_scenes() / file.filename(), none);
+    return is_shipped && !fs::exists(name, none) ? name : file.string();
+}
+
 }  // namespace glassbox

@@ -13,13 +13,16 @@ namespace fs = std::filesystem;
 /// The tiny scene's picture without shading: the ball's cross of five pixels before the background.
 std::string tiny_ppm() {
     const std::string background = "\x01\x02\x03", ball("\xff\0\0", 3);
-    std::string ppm = "P6\n4 3\n255\n";
+    std::string all = "P6\n4 3\n255\n";
     for (const char* row : {".o..",   //
                             "ooo.",   //
                             ".o.."})  //
-        for (const char* pixel = row; *pixel; ++pixel) ppm += *pixel == 'o' ? ball : background;
-    return ppm;
+        for (const char* pixel = row; *pixel; ++pixel) all += *pixel == 'o' ? ball : background;
+    return all;
 }
+
+/// A picture without its comments.
+std::string ppm(const fs::path& file) { return without_comments(content(file)); }
 
 /// A folder with only s.toml.
 struct Workplace : Folder {
@@ -41,24 +44,24 @@ struct Workplace : Folder {
 TEST_CASE("a picture's pixels, from the top left") {
     const Workplace folder;
     CHECK(folder.render({"s.toml", "--stage", "2", "-o", "o.ppm"}) == "");
-    CHECK(content(folder / "o.ppm") == tiny_ppm());
+    CHECK(ppm(folder / "o.ppm") == tiny_ppm());
     CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("options change the picture: stage 1 shows no ball, a factor of 0 and no light leave it black") {
     const Workplace folder;
     folder.render({"s.toml", "--stage", "1", "-o", "1.ppm"});
-    CHECK(content(folder / "1.ppm") != tiny_ppm());
+    CHECK(ppm(folder / "1.ppm") != tiny_ppm());
     folder.render({"s.toml", "--ambient", "0", "--diffuse", "0", "--specular", "0", "-o", "2.ppm"});
     std::string black = tiny_ppm();
     for (std::size_t i = 11; i < black.size(); ++i)
         if (black[i] == '\xff') black[i] = '\0';
-    CHECK(content(folder / "2.ppm") == black);
+    CHECK(ppm(folder / "2.ppm") == black);
     // Half a turn about y mirrors z about 0: rows 1 and 2 from below are now at z = −1 and −2, under the ball.
     folder.render({"s.toml", "--turn", "y:180", "-o", "3.ppm"});
     std::string background;
     for (int pixel = 0; pixel < 8; ++pixel) background += "\x01\x02\x03";
-    CHECK(content(folder / "3.ppm").substr(11, 24) == background);
+    CHECK(ppm(folder / "3.ppm").substr(11, 24) == background);
 }
 
 TEST_CASE("--size: pixels, for every shape") {
@@ -67,7 +70,7 @@ TEST_CASE("--size: pixels, for every shape") {
         folder.render({"s.toml", "--size", shape, "-o", "o.ppm"});
         std::string expected(shape);
         expected[expected.find_first_of("xX")] = ' ';
-        CHECK(content(folder / "o.ppm").starts_with("P6\n" + expected + "\n255\n"));
+        CHECK(ppm(folder / "o.ppm").starts_with("P6\n" + expected + "\n255\n"));
     }
 }
 
@@ -93,11 +96,11 @@ TEST_CASE("the scenes that come with Glassbox are known by name anywhere, a file
     const Workplace folder;
     for (const char* name : {"sphere", "sphere.toml", "scenes/sphere", "scenes/sphere.toml"}) {
         folder.render({name, "--size", "5x5", "-o", "o.ppm"});
-        CHECK(content(folder / "o.ppm").starts_with("P6\n5 5\n"));
+        CHECK(ppm(folder / "o.ppm").starts_with("P6\n5 5\n"));
     }
     write(folder / "sphere.toml", tiny_scene);
     folder.render({"sphere.toml", "-o", "o.ppm"});
-    CHECK(content(folder / "o.ppm").starts_with("P6\n4 3\n"));
+    CHECK(ppm(folder / "o.ppm").starts_with("P6\n4 3\n"));
     fs::create_directory(folder / "triangle");  // does not hide the scene of that name
     folder.render({"triangle", "--size", "5x5", "-o", "o.ppm"});
 }
@@ -106,13 +109,13 @@ TEST_CASE("names with spaces, in UTF-8, with capitals, beginning with a dash, or
     const Workplace folder;
     for (const char* name : {"my picture.ppm", "Größe 𝄞.ppm", "O.PPM", "-o.ppm", "O.PPM"}) {
         folder.render({"s.toml", "--stage", "2", "-o", name});
-        CHECK(content(folder / name) == tiny_ppm());
+        CHECK(ppm(folder / name) == tiny_ppm());
     }
     write(folder / "schöne Szene.toml", tiny_scene);
     write(folder / "-s.toml", tiny_scene);
     folder.render({"schöne Szene.toml", "-o", "1.ppm"});
     folder.render({"-o", "2.ppm", "--", "-s.toml"});
-    CHECK(content(folder / "1.ppm") == content(folder / "2.ppm"));
+    CHECK(ppm(folder / "1.ppm") == ppm(folder / "2.ppm"));
     CHECK(folder.entries() == 9);
 }
 
@@ -122,14 +125,14 @@ TEST_CASE("neither an environment nor open standard streams are needed") {
     CHECK(run_glassbox(arguments, {.folder = folder.path, .empty_environment = true}).status == 0);
     fs::remove(folder / "o.ppm");
     CHECK(run_glassbox(arguments, {.folder = folder.path, .in = nullptr, .out = nullptr, .err = nullptr}).status == 0);
-    CHECK(content(folder / "o.ppm") == tiny_ppm());
+    CHECK(ppm(folder / "o.ppm") == tiny_ppm());
 }
 
 TEST_CASE("an empty scene is a picture of its background") {
     const Workplace folder;
     write(folder / "empty.toml", "");
     folder.render({"empty.toml", "--size", "1x1", "-o", "o.ppm"});
-    CHECK(content(folder / "o.ppm") == std::string("P6\n1 1\n255\n\0\0\0", 14));
+    CHECK(ppm(folder / "o.ppm") == std::string("P6\n1 1\n255\n\0\0\0", 14));
 }
 
 TEST_CASE("an option that the stage leaves unused is noted in one line, and all is done") {

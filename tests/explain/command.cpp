@@ -32,7 +32,7 @@ TEST_CASE("the command in a story tells the same story again") {
     CHECK(ran.status == 0);
     const std::string command = nlohmann::json::parse(ran.out)["command"];
     CHECK(command.starts_with("glassbox explain 'two words.toml'"));
-    for (const char* part : {"--pixel 2,1", "--turn z:1,y:-2", "--size 8x6", "--diffuse .5", "--triangle tolerance:3"})
+    for (const char* part : {"--pixel 2,1", "--turn z:1,y:-2", "--size 8x6", "--diffuse 0.5", "--triangle tolerance:3"})
         CHECK_MESSAGE(command.find(part) != std::string::npos, part);
     CHECK(command.find("json") == std::string::npos);
 }

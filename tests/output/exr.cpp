@@ -22,6 +22,7 @@ std::vector<std::byte> exr_of(std::span<const Channel> channels) {
 }
 
 struct Loaded {
+    std::map<std::string, std::string> texts;  // attributes of type string
     int width = 0, height = 0;
     std::vector<std::string> names;                    // in the file's order
     std::map<std::string, std::vector<float>> values;  // by name
@@ -39,7 +40,13 @@ Loaded load(const std::vector<std::byte>& file) {
     REQUIRE(ParseEXRHeaderFromMemory(&header, &version, memory, file.size(), &error) == TINYEXR_SUCCESS);
     REQUIRE(LoadEXRImageFromMemory(&image, &header, memory, file.size(), &error) == TINYEXR_SUCCESS);
 
-    Loaded loaded{image.width, image.height, {}, {}};
+    Loaded loaded{{}, image.width, image.height, {}, {}};
+    for (int i = 0; i < header.num_custom_attributes; ++i) {
+        const EXRAttribute& attribute = header.custom_attributes[i];
+        if (std::string(attribute.type) == "string")
+            loaded.texts[attribute.name].assign(reinterpret_cast<const char*>(attribute.value),
+                                                static_cast<std::size_t>(attribute.size));
+    }
     for (int i = 0; i < header.num_channels; ++i) {
         REQUIRE(header.pixel_types[i] == TINYEXR_PIXELTYPE_FLOAT);
         const auto* first = reinterpret_cast<const float*>(image.images[i]);
@@ -83,6 +90,17 @@ TEST_CASE("sizes from one pixel to many blocks of lines") {
         }
         CHECK(load(exr_of({&plane, 1})).values.at("v") == expected);
     }
+}
+
+TEST_CASE("an EXR's origin: attributes") {
+    static const Measurement any{"any", "", "", Scale::sequential, Source::hit, {}, {}, {}};
+    const Channel plane{"v", 1, 1, {0.5}};
+    const Measured measured{&any, {&plane, 1}};
+    const Loaded loaded = load(exr({&measured, 1}, {"glassbox measure schön --what any"}));
+    CHECK(loaded.texts.at("command") == "glassbox measure schön --what any");
+    CHECK(loaded.texts.at("software").starts_with("Glassbox "));
+    CHECK(loaded.values.at("v") == std::vector<float>{0.5});
+    CHECK(load(exr({&measured, 1})).texts.empty());
 }
 
 TEST_CASE("what EXR cannot hold is refused") {

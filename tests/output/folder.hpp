@@ -55,6 +55,12 @@ inline std::string content(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The bytes of a PPM file without the comments in its header.
+inline std::string without_comments(std::string ppm) {
+    while (ppm.starts_with("P6\n#")) ppm.erase(3, ppm.find('\n', 3) - 2);
+    return ppm;
+}
+
 inline std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 /// Returns the message of the Error that `work` throws; "" if it throws none.

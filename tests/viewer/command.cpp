@@ -37,7 +37,7 @@ nlohmann::json run(const std::string& command) {
 
 void check_same(const Setup& setup, Pixel pixel) {
     const Scene scene = read_scene(paper);
-    const std::string command = explain_command(paper, scene, setup, pixel);
+    const std::string command = explain_command(words_of(paper, scene, setup), pixel);
     CAPTURE(command);
     const Story story = explain(applied(scene, setup), setup.options, pixel.x, pixel.y);
     const nlohmann::json told = run(command);
@@ -56,7 +56,7 @@ constexpr Pixel on_the_green_sphere{350, 149};
 
 TEST_CASE("as the scene says: no option but the pixel") {
     const Scene scene = read_scene(paper);
-    CHECK(explain_command("s.toml", scene, setup_of(scene), {1, 2}) == "glassbox explain s.toml --pixel 1,2");
+    CHECK(explain_command(words_of("s.toml", scene, setup_of(scene)), {1, 2}) == "glassbox explain s.toml --pixel 1,2");
     check_same(setup_of(scene), on_the_green_sphere);
 }
 

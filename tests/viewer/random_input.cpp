@@ -90,6 +90,7 @@ TEST_CASE("Random inputs by the thousand: no crash, no leak, no complaint from O
     const test::Folder folder;
     const std::filesystem::path scene = folder.path / "random.toml";
     std::ofstream(scene) << good_scene;
+    std::filesystem::current_path(folder.path);  // it saves files, too
     ViewerState state = opened(scene);
     state.mine.folder = folder.path / "my";  // nobody's code
     HiddenViewer viewer(std::move(state), {640, 400});

@@ -26,6 +26,42 @@ TEST_CASE("a script names files with blanks, # and quotes in quotes, after a byt
     CHECK(std::filesystem::exists(folder / "out \"1\" #.png"));
 }
 
+TEST_CASE("save: the bytes that render and measure write") {
+    const test::Folder folder;
+    std::filesystem::copy_file(scenes / "triangle.toml", folder / "s.toml");
+    test::write(folder / "a.script",
+                "set scalar float\nturn z:10\noverlay depth\nbeside other\nset other-scalar double\n"
+                "save p.ppm\nsave p.png\nsave d.csv\nsave d.exr\nsave d.png overlay\nsave b.png beside\n");
+    const test::Ran ran = test::run_glassbox({"view", "s.toml", "--script", "a.script"}, {.folder = folder.path});
+    CAPTURE(ran.err);
+    REQUIRE(ran.status == 0);
+    const auto same = [&](const test::Arguments& arguments, const std::string& saved) {
+        test::Arguments with_file = arguments;
+        const std::string made = "made" + std::filesystem::path(saved).extension().string();
+        with_file.insert(with_file.end(), {"-o", made});
+        CHECK(test::run_glassbox(with_file, {.folder = folder.path}).status == 0);
+        CHECK_MESSAGE(test::content(folder / made) == test::content(folder / saved), saved);
+    };
+    for (const char* file : {"p.ppm", "p.png"}) same({"render", "s.toml", "--scalar", "float", "--turn", "z:10"}, file);
+    for (const char* file : {"d.csv", "d.exr", "d.png"})
+        same({"measure", "s.toml", "--scalar", "float", "--turn", "z:10", "--what", "depth"}, file);
+    same({"render", "s.toml", "--scalar", "double", "--turn", "z:10"}, "b.png");
+}
+
+TEST_CASE("save: what there is not, and files that cannot be") {
+    const test::Folder folder;
+    const std::string triangle = (scenes / "triangle.toml").string();
+    const auto refused = [&](const std::string& line, const std::vector<std::string>& parts) {
+        test::write(folder / "a.script", line + "\n");
+        test::check_refused(folder, {"view", triangle, "--script", "a.script"}, 1, parts);
+    };
+    refused("save d.csv", {"a.script:1:1: error: ", "no overlay", "page Overlay"});
+    refused("save b.png beside", {"nothing stands beside the picture"});
+    refused("save p.gif", {"unknown extension .gif; use .png or .ppm"});
+    refused("save none/p.png", {"create the folder none/ first"});
+    refused("save p.png pictures", {"'pictures' is not known; did you mean 'picture'?"});
+}
+
 TEST_CASE("what is wrong with a script's quotes, and with names in them, is told with its place") {
     const test::Folder folder;
     test::write(folder / "open.script", "size 500x400\r\n  open \"my scene\r\n");

@@ -114,22 +114,6 @@ TEST_CASE(
     CHECK(state.scene_menu.folder == folder.path);
 }
 
-TEST_CASE("the list of scenes: by name, with their titles, a broken one without") {
-    const Folder folder;
-    write(folder / "b.toml", small);
-    write(folder / "a.toml", "title = 1\n");
-    write(folder / "mesh.obj", "");
-    SceneMenu menu;
-    list_scenes(menu);
-    CHECK(menu.scenes.empty());  // no folder
-    menu.folder = folder.path;
-    list_scenes(menu);
-    REQUIRE(menu.scenes.size() == 2);
-    CHECK(menu.scenes[0].file == folder / "a.toml");
-    CHECK(menu.scenes[0].title == "");
-    CHECK(menu.scenes[1].title == "small");
-}
-
 TEST_CASE("a scene that says with what it fails is set up so at a click, and undo takes it back") {
     const Folder folder;
     const auto file = folder / "s.toml";

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 namespace glassbox {
@@ -40,7 +41,8 @@ struct Pointer {
 /// What happened since the last frame, besides what Dear ImGui receives by itself.
 struct Input {
     std::vector<KeyPress> keys;
-    double time = 0;  ///< seconds since the start
+    double time = 0;                     ///< seconds since the start
+    std::vector<std::string> dropped{};  ///< files that were dropped on the window
 };
 
 }  // namespace glassbox

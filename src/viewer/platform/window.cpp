@@ -114,6 +114,7 @@ struct Window::Platform {
     int modifiers = 0;           // of the key pressed last, whose character comes next
     bool is_by_place = false;    // that key is the last of `keys`, named after its place
     bool stirred = true;         // something happened since the last frame
+    std::vector<std::string> dropped;
     double start = 0;
 
     Platform(const std::string& title, WindowSize size) : window(make_window(title, size)) {
@@ -134,6 +135,10 @@ struct Window::Platform {
             of(from).on_key(key, scancode, action, mods);
         });
         glfwSetCharCallback(w, [](GLFWwindow* from, unsigned character) { of(from).on_character(character); });
+        glfwSetDropCallback(w, [](GLFWwindow* from, int count, const char** files) {
+            of(from).dropped.assign(files, files + count);
+            of(from).stirred = true;
+        });
         glfwSetCursorPosCallback(w, [](GLFWwindow* from, double, double) { of(from).stirred = true; });
         glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int, int, int) { of(from).stirred = true; });
         glfwSetScrollCallback(w, [](GLFWwindow* from, double, double) { of(from).stirred = true; });
@@ -185,7 +190,7 @@ struct Window::Platform {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
-        const double stands = draw({std::exchange(keys, {}), glfwGetTime() - start});
+        const double stands = draw({std::exchange(keys, {}), glfwGetTime() - start, std::exchange(dropped, {})});
         ImGui::Render();
         int width = 0, height = 0;
         glfwGetFramebufferSize(window.get(), &width, &height);

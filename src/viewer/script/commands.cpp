@@ -9,6 +9,7 @@
 #include "engine/hierarchy.hpp"
 #include "explain/timeline.hpp"
 #include "output/output_file.hpp"
+#include "render/job.hpp"
 #include "render/typed.hpp"
 #include "scene/error.hpp"
 #include "scene/named.hpp"
@@ -122,6 +123,26 @@ Command zoom(const Words& words) {
     });
 }
 
+constexpr NameTable<SaveWhat, 3> what_is_saved{{
+    {"picture", SaveWhat::picture, ""},
+    {"overlay", SaveWhat::overlay, ""},
+    {"beside", SaveWhat::beside, ""},
+}};
+
+/// What a file's name alone means: numbers are the overlay's.
+SaveWhat usually_saved(const std::string& file) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    return extension == ".csv" || extension == ".exr" ? SaveWhat::overlay : SaveWhat::picture;
+}
+
+/// A script's files replace those that are there, as screenshots do.
+Command save_file(const Words& words) {
+    const SaveWhat what = words.size() > 2 ? chosen("save", words[2], what_is_saved) : usually_saved(words[1]);
+    return change([what, file = words[1]](const ViewerState& state, const Results& results) {
+        write(saving(state, results, what, file), {});
+    });
+}
+
 Command orbit(const Words& words) {
     const Words typed = between_commas(words[1]);
     if (typed.size() != 2 && typed.size() != 3)
@@ -231,7 +252,7 @@ const Syntax all_commands[] = {
     {"open", "open SCENE", 1, 1,
      [](const Words& w) {
          return change([file = scene_path(w[1])](ViewerState& state) {
-             open(state, file);
+             open_scene(state, file);
              if (!state.file_error.empty()) throw Error(state.file_error);
          });
      }},
@@ -299,6 +320,7 @@ const Syntax all_commands[] = {
     {"key", "key LABEL", 1, 2, key},
     {"wait", "wait [SECONDS]", 0, 1,
      [](const Words& w) -> Command { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},
+    {"save", "save FILE [picture | overlay | beside]", 1, 2, save_file},
     {"screenshot", "screenshot FILE.png", 1, 1,
      [](const Words& w) -> Command {
          check_picture_file(w[1]);

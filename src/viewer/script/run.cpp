@@ -29,7 +29,7 @@ struct Performer {
         constexpr double frame = 1.0 / 30;
         for (double left = command.seconds; left > 0; left -= frame) viewer.frame({}, {}, std::min(left, frame));
     }
-    void operator()(const Screenshot& command) const { write_picture(command.file, viewer.screen().screenshot()); }
+    void operator()(const Screenshot& command) const { write_picture(command.file, viewer.screen().screenshot(), {}); }
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 void advance(ViewerState& state, const Results& results, double seconds) {
     go_on_watching(state, seconds);
     go_on_playing(state, results, seconds);
+    state.notice = later(state.notice, seconds);
 }
 
 /// A bar between two parts that can be dragged; returns by how many pixels it was dragged.
@@ -85,24 +86,36 @@ void Interface::prepare() {
 
 double Interface::draw(const Input& input) {
     for (const KeyPress& press : input.keys)
-        if (!ImGui::GetIO().WantTextInput || is_obeyed_while_typing(press)) obey(press, state_, results_);
+        if (!ImGui::GetIO().WantTextInput || is_obeyed_while_typing(press) ||
+            (takes_keyboard(state_) && !press.control))
+            obey(press, state_, results_);
+    open_dropped(state_, input.dropped);
     watch_files();
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
     background_.update(state_, results_);
     follow_story(state_, results_);
     follow_steps(state_, results_);
+    follow_saved(state_, results_);
+    thumbnails_.update(results_);
     pictures_.update(state_, results_);
     if (state_.space_shown) {
         space_.update(state_, results_);
         boxes_.update(state_, results_);
     }
     fly_on(state_, space_.drawing().near, seconds);
-    lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, seconds});
+    lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, thumbnails_, seconds});
     // Update again, so that what this frame's clicks request starts at once.
     background_.update(state_, results_);
-    const bool moving = state_.playing || state_.watching.running || state_.flight;
+    hand_over();
+    const bool moving = state_.playing || state_.watching.running || state_.flight || !state_.notice.text.empty();
     return moving || results_.busy ? 1.0 / 30 : forever;
+}
+
+void Interface::hand_over() {
+    if (state_.to_copy.empty()) return;
+    ImGui::SetClipboardText(state_.to_copy.c_str());
+    state_.to_copy.clear();
 }
 
 void Interface::watch_files() {
@@ -177,8 +190,11 @@ void Interface::lay_out(const Frame& frame) {
     draw_status(frame);
     ImGui::End();
     draw_scene_menu(frame);
+    draw_save_menu(frame);
+    draw_copy_menu(frame);
     draw_keys(frame);
     draw_tour(frame, places);
+    draw_notice(frame);
 }
 
 }  // namespace glassbox

@@ -32,6 +32,7 @@ public:
 
 private:
     void watch_files();
+    void hand_over();  ///< what is to be copied
     void lay_out(const Frame& frame);
 
     ViewerState state_;
@@ -40,6 +41,7 @@ private:
     Pictures pictures_;
     Space space_;
     Boxes boxes_;
+    ThumbnailTextures thumbnails_;
     Fonts fonts_;
     Palette palette_{};
     float loaded_text_size_ = 0;

@@ -5,6 +5,7 @@
 #include "viewer/model/state/state.hpp"
 #include "viewer/model/work/results.hpp"
 #include "viewer/platform/fonts.hpp"
+#include "viewer/ui/frame/thumbnail_textures.hpp"
 #include "viewer/ui/picture/pictures.hpp"
 #include "viewer/ui/widgets/theme.hpp"
 
@@ -19,6 +20,7 @@ struct Frame {
     const Boxes& boxes;
     const Fonts& fonts;
     const Palette& palette;
+    const ThumbnailTextures& thumbnails;
     double seconds;  ///< since the last frame
 };
 
@@ -35,6 +37,9 @@ void draw_controls(const Frame& frame);    ///< all of the setup
 void draw_mine(const Frame& frame);        ///< the learner's tests
 void draw_status(const Frame& frame);      ///< one line
 void draw_scene_menu(const Frame& frame);  ///< what can be opened, if it is shown
+void draw_save_menu(const Frame& frame);   ///< what can be saved, and where, if it is shown
+void draw_copy_menu(const Frame& frame);   ///< the commands of what is seen, if it is shown
+void draw_notice(const Frame& frame);      ///< what has just been done, for some seconds
 /// Shows why the file cannot be read, over the area of the last good picture.
 void draw_file_error(const Frame& frame, ImVec2 corner, ImVec2 size);
 void draw_keys(const Frame& frame);  ///< the list of keys, if it is shown

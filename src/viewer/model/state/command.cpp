@@ -2,20 +2,54 @@
 
 #include <fmt/format.h>
 
-#include "explain/shell_word.hpp"
-#include "render/parameters.hpp"
+#include <span>
+#include <variant>
+
+#include "scene/shell_word.hpp"
 
 namespace glassbox {
 
-std::string explain_command(const std::filesystem::path& file, const Scene& scene, const Setup& setup, Pixel pixel) {
-    std::string line = "glassbox explain " + shell_word(file.string());
-    const Setup original = setup_of(scene);
-    for (const Parameter& parameter : parameters()) {
-        if (is_same(parameter, setup, original)) continue;
-        line += fmt::format(" --{}", parameter.name);
-        if (const std::string value = written(parameter, setup); !value.empty()) line += ' ' + value;
-    }
-    return line + fmt::format(" --pixel {},{}", pixel.x, pixel.y);
+namespace {
+
+SceneWords words_of(const ViewerState& state) { return words_of(state.file, *state.scene, state.setup.now()); }
+
+/// "--mine=2 --folder ~/rays/my"
+std::string options_of_mine(const ViewerState& state) {
+    if (!shows_mine(state) || !state.mine.chosen) return "";
+    const int* const lesson = std::get_if<int>(&*state.mine.chosen);
+    std::string options = lesson ? fmt::format(" --mine={}", *lesson) : " --mine=all";
+    if (!state.mine.folder.empty()) options += " --folder " + shell_word(state.mine.folder.string());
+    return options;
+}
+
+}  // namespace
+
+SceneWords words_of(const std::filesystem::path& file, const Scene& scene, const Setup& setup) {
+    return {file, {}, setup, differing(setup, setup_of(scene))};
+}
+
+std::string command_to_view(const ViewerState& state) {
+    std::string more;
+    if (state.pinned) more += fmt::format(" --pixel {},{}", state.pinned->x, state.pinned->y);
+    if (!state.overlay.measurement.empty()) more += " --overlay " + state.overlay.measurement;
+    return view_command(words_of(state), more + options_of_mine(state));
+}
+
+std::string command_to_render(const ViewerState& state, std::string_view extension) {
+    return command_to_render(state, state.setup.now(), extension);
+}
+
+std::string command_to_render(const ViewerState& state, const Setup& setup, std::string_view extension) {
+    return render_command(words_of(state.file, *state.scene, setup), extension);
+}
+
+std::string command_to_measure(const ViewerState& state, std::string_view extension) {
+    const std::string_view what = state.overlay.measurement;
+    return measure_command(words_of(state), {&what, 1}, extension);
+}
+
+std::string command_to_explain(const ViewerState& state, Pixel pixel) {
+    return explain_command(words_of(state), pixel);
 }
 
 }  // namespace glassbox

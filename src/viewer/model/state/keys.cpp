@@ -7,6 +7,7 @@
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/space/flight.hpp"
+#include "viewer/model/state/command.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -66,7 +67,6 @@ void unpin(State& state, const Results&, const KeyPress&) {
     if (state.keys_work_buttons) state.keys_work_buttons = false;
     else if (state.tour) leave_tour(state);
     else if (state.keys_shown) state.keys_shown = false;
-    else if (state.scene_menu.shown) state.scene_menu.shown = false;
     else if (state.compared) state.compared.reset();
     else state.pinned.reset();
 }
@@ -289,7 +289,13 @@ constexpr KeyBinding bindings[] = {
     {named(Key::up, true, true), "Ctrl+Shift+↑", "", "Everything", resize_parts<0, 1>},
     {named(Key::down, true, true), "Ctrl+Shift+↓", "", "Everything", resize_parts<0, -1>},
     {control('o'), "Ctrl+O", "open another scene", "Everything",
-     [](State& s, const Results&, const KeyPress&) { s.scene_menu.shown = !s.scene_menu.shown; }},
+     [](State& s, const Results&, const KeyPress&) { show_scene_menu(s); }},
+    {control('s'), "Ctrl+S", "save the picture, the overlay or its numbers", "Everything",
+     [](State& s, const Results&, const KeyPress&) { show_save_menu(s); }},
+    {control('c'), "Ctrl+C", "copy the command that shows this again", "Everything",
+     [](State& s, const Results&, const KeyPress&) { copy(s, command_to_view(s)); }},
+    {control('c', true), "Ctrl+Shift+C", "choose which command to copy", "Everything",
+     [](State& s, const Results&, const KeyPress&) { show_copy_menu(s); }},
     {control('q'), "Ctrl+Q", "close the window", "Everything",
      [](State& s, const Results&, const KeyPress&) { s.leaving = true; }},
     {character('?'), "?", "show or hide this list", "Everything",
@@ -313,7 +319,17 @@ KeyPress without_layout(const KeyPress& press) {
 
 std::span<const KeyBinding> key_bindings() { return bindings; }
 
+bool takes_keyboard(const ViewerState& state) {
+    return state.scene_menu.shown || state.save_menu.shown || state.copy_menu.shown;
+}
+
 void obey(const KeyPress& press, ViewerState& state, const Results& results) {
+    if (takes_keyboard(state) && !press.control) {
+        if (state.scene_menu.shown) obey_in_scene_menu(press, state);
+        else if (state.save_menu.shown) obey_in_save_menu(press, state, results);
+        else obey_in_copy_menu(press, state);
+        return;
+    }
     if (state.keys_work_buttons && is_for_buttons(press)) return;
     const KeyPress meant = without_layout(press);
     for (const bool sometimes : {true, false})

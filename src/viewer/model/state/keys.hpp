@@ -21,6 +21,10 @@ struct KeyBinding {
 
 std::span<const KeyBinding> key_bindings();
 
+/// Whether a window is shown that has the keyboard: what is typed is meant for it, whether or not its field has the
+/// focus.
+bool takes_keyboard(const ViewerState& state);
+
 /// Does what the key means, if it means anything. While the keyboard works buttons, keys that move from one to the next
 /// or press it mean nothing here.
 void obey(const KeyPress& press, ViewerState& state, const Results& results);

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "viewer/model/state/state.hpp"
 
@@ -11,6 +12,7 @@ struct Settings {
     float side_width = 0.4f, space_height = 0.28f;
     bool space_shown = true;
     int window_width = 1280, window_height = 800;
+    std::vector<std::filesystem::path> recent;  ///< scenes, the newest first
 
     bool operator==(const Settings&) const = default;
 };

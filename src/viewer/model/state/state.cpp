@@ -33,22 +33,6 @@ ViewerState opened(const std::filesystem::path& file) {
     return state;
 }
 
-void list_scenes(SceneMenu& menu) {
-    menu.scenes.clear();
-    std::error_code none;
-    if (menu.folder.empty()) return;
-    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(menu.folder, none)) {
-        if (entry.path().extension() != ".toml") continue;
-        try {
-            menu.scenes.push_back({entry.path(), read_scene(entry.path()).title});
-        } catch (const Error&) {  // opening the scene reports why it cannot be read
-            menu.scenes.push_back({entry.path(), ""});
-        }
-    }
-    std::sort(menu.scenes.begin(), menu.scenes.end(),
-              [](const ListedScene& a, const ListedScene& b) { return a.file < b.file; });
-}
-
 void pin(ViewerState& state, const std::optional<Pixel>& pixel) {
     state.pinned = pixel;
     state.step = 0;
@@ -92,6 +76,9 @@ void open(ViewerState& state, const std::filesystem::path& file) {
     try {
         ViewerState fresh = opened(file);
         fresh.scene_menu = state.scene_menu;
+        fresh.saving = state.saving;
+        fresh.notice = state.notice;
+        fresh.to_copy = state.to_copy;
         fresh.appearance = state.appearance;
         fresh.page = state.page;
         fresh.side_width = state.side_width;

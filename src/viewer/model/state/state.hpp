@@ -8,7 +8,11 @@
 #include "explain/questions.hpp"
 #include "render/measure/spacing.hpp"
 #include "scene/scene.hpp"
+#include "viewer/model/files/copy_menu.hpp"
+#include "viewer/model/files/save_menu.hpp"
+#include "viewer/model/files/scene_menu.hpp"
 #include "viewer/model/state/history.hpp"
+#include "viewer/model/state/notice.hpp"
 #include "viewer/model/state/number_form.hpp"
 #include "viewer/model/state/picture_view.hpp"
 #include "viewer/model/state/setup_changes.hpp"
@@ -71,20 +75,6 @@ struct Appearance {
 };
 
 inline constexpr float least_text_size = 12, greatest_text_size = 48;
-
-/// A scene that can be opened.
-struct ListedScene {
-    std::filesystem::path file;
-    std::string title;  ///< empty: it has none, or cannot be read
-};
-
-/// The scenes that can be opened instead.
-struct SceneMenu {
-    bool shown = false;
-    std::filesystem::path folder;     ///< of the scenes that come with Glassbox; empty: not there
-    std::vector<ListedScene> scenes;  ///< by name; see list_scenes
-    std::string typed;                ///< a path
-};
 
 /// The pages of the panel on the right.
 enum class Page { inspector, steps, overlay, controls, mine };
@@ -164,6 +154,11 @@ struct ViewerState {
     std::optional<std::size_t> tour;  ///< the stop where it is
     bool leaving = false;             ///< the window is to be closed
     SceneMenu scene_menu;
+    SaveMenu save_menu;
+    CopyMenu copy_menu;
+    std::optional<Saving> saving;  ///< what is being written
+    Notice notice;
+    std::string to_copy;         ///< for others to paste; the interface hands it over
     bool turning = false;        ///< the mouse, dragged over the picture, turns the view
     bool light_refused = false;  ///< what was typed for the light has no direction
     Appearance appearance;
@@ -174,9 +169,6 @@ void pin(ViewerState& state, const std::optional<Pixel>& pixel);
 
 /// Returns a state with the scene of a file opened. Throws Error if it cannot be read.
 ViewerState opened(const std::filesystem::path& file);
-
-/// Lists the scenes of the menu's folder, with their titles.
-void list_scenes(SceneMenu& menu);
 
 /// Returns the files that the scene's meshes were read from, each once.
 std::vector<std::filesystem::path> mesh_files(const Scene& scene);

@@ -4,7 +4,9 @@
 #include "viewer/model/work/mine_task.hpp"
 #include "viewer/model/work/picture_tasks.hpp"
 #include "viewer/model/work/pixel_task.hpp"
+#include "viewer/model/work/save_task.hpp"
 #include "viewer/model/work/tests_task.hpp"
+#include "viewer/model/work/thumbnail_task.hpp"
 #include "viewer/model/work/worker.hpp"
 
 namespace glassbox {
@@ -13,7 +15,8 @@ namespace glassbox {
 struct Background::Work {
     explicit Work(const std::function<void()>& wake) : workers(wake) {}
 
-    Workers<RenderPicture, RenderOther, DrawMine, TestMine, MeasureOverlay, ExplainPinned, ExplainCompared, CountBoxes>
+    Workers<RenderPicture, RenderOther, DrawMine, TestMine, MeasureOverlay, ExplainPinned, ExplainCompared, CountBoxes,
+            SaveFile, DrawThumbnails>
         workers;
 };
 

@@ -34,7 +34,7 @@ struct ExplainPixel {
         const Options& options = seen.setup.options;
         const auto tell = [&](Detail detail) {
             Story story = explain(scene, options, request.pixel.x, request.pixel.y, detail, job);
-            story.command = explain_command(request.file, *seen.scene, seen.setup, request.pixel);
+            story.command = explain_command(words_of(request.file, *seen.scene, seen.setup), request.pixel);
             deliver(std::make_shared<const Story>(std::move(story)));
         };
         // How sure a plain scalar is takes a test of every surface: with so many, that is seen to come later.

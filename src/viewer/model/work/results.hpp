@@ -14,6 +14,8 @@
 #include "render/measure/measurements.hpp"
 #include "render/setup.hpp"
 #include "viewer/model/overlay/finder.hpp"
+#include "viewer/model/files/save_menu.hpp"
+#include "viewer/model/files/thumbnail.hpp"
 
 namespace glassbox {
 
@@ -49,6 +51,8 @@ struct Results {
     std::vector<Question> questions;                  ///< of that timeline
     std::shared_ptr<const Story> compared;            ///< of the second pinned pixel; null: none
     std::shared_ptr<const BoxLevels> boxes;           ///< the engine's hierarchy; null: not drawn, or not there yet
+    std::shared_ptr<const Thumbnails> thumbnails;     ///< of the scenes that are listed; null: none yet
+    Saved saved;                                      ///< how the last file's writing ended
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0, story_serial = 0;
     std::uint64_t mine_serial = 0;
 

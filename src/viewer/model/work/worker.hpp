@@ -25,6 +25,7 @@ struct Tools {
     std::atomic<int> mine_asked = {};            ///< how often the maker was asked for a picture
     std::atomic<int> mine_made = {};             ///< up to which of them it is done
     std::atomic<std::int64_t> pixels_done = {};  ///< of the picture that is being rendered
+    Thumbnails thumbnails = {};                  ///< one thread's at a time
 };
 
 /// What a task has while it runs.

@@ -10,7 +10,7 @@ void draw_scene_controls(const Frame& frame) {
     ImGui::TextWrapped("%s", state.file.string().c_str());
     ImGui::TextWrapped("Read again whenever the file changes; what you changed here stays.");
     ImGui::PopStyleColor();
-    if (ImGui::Button("Open another…")) state.scene_menu.shown = true;
+    if (ImGui::Button("Open another…")) show_scene_menu(state);
     flow("All as the scene says");
     const Setup own = setup_of(*state.scene);
     if (button_if(!(state.setup.now() == own), "All as the scene says")) state.setup.change(own);

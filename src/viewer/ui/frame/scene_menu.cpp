@@ -1,77 +1,79 @@
 #include <algorithm>
-#include <array>
+#include <utility>
 
-#include "viewer/ui/widgets/buttons.hpp"
+#include "viewer/ui/widgets/dialog.hpp"
 
 namespace glassbox {
 
 namespace {
 
-void open_scene(ViewerState& state, const std::filesystem::path& file) {
-    open(state, file);
-    if (state.file_error.empty()) state.scene_menu.shown = false;
-}
-
-void typed_path(const Frame& frame) {
-    ViewerState& state = frame.state;
-    std::string& typed = state.scene_menu.typed;
-    std::array<char, 1024> text{};
-    std::copy_n(typed.data(), std::min(typed.size(), text.size() - 1), text.data());
-    const char* const button = "Open";
-    const ImGuiStyle& style = ImGui::GetStyle();
-    ImGui::TextUnformatted("A scene file of your own");
-    ImGui::SetNextItemWidth(std::max(6 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x - style.ItemSpacing.x -
-                                                                   ImGui::CalcTextSize(button).x -
-                                                                   2 * style.FramePadding.x));
-    const bool entered = ImGui::InputTextWithHint("##path", "path/to/scene.toml", text.data(), text.size(),
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
-    typed = text.data();
-    ImGui::SameLine();
-    if ((button_if(!typed.empty(), button) || entered) && !typed.empty()) open_scene(state, std::string(typed));
-    if (state.file_error.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.failed);
-    ImGui::TextWrapped("✗ %s", state.file_error.c_str());
+void draw_faint(const Frame& frame, bool chosen, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? frame.palette.text : frame.palette.faint_text);
+    ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }
 
-void shipped_list(const Frame& frame) {
-    ViewerState& state = frame.state;
-    if (state.scene_menu.scenes.empty()) return;
-    ImGui::TextUnformatted("Scenes that come with Glassbox");
-    std::filesystem::path chosen;
-    for (const auto& [file, title] : state.scene_menu.scenes) {
-        if (ImGui::Selectable(file.stem().string().c_str(), file == state.file)) chosen = file;
-        ImGui::Indent();
-        ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.faint_text);
-        ImGui::TextWrapped("%s", title.empty() ? "without a title" : title.c_str());
-        ImGui::PopStyleColor();
-        ImGui::Unindent();
+/// A scene at a glance: its picture, its name, its title or what is wrong with it.
+void draw_scene(const Frame& frame, const SceneRow& row, bool chosen) {
+    const float side = std::min(5.4f * ImGui::GetFontSize(), .25f * ImGui::GetContentRegionAvail().x);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({side, side * thumbnail_height / thumbnail_width});
+    if (const Texture* const small = frame.thumbnails.of(row.path)) {
+        const float shrunk = side / thumbnail_width;
+        const ImVec2 size{shrunk * static_cast<float>(small->width()), shrunk * static_cast<float>(small->height())};
+        ImGui::GetWindowDrawList()->AddImage(small->id(), corner, {corner.x + size.x, corner.y + size.y});
     }
-    if (!chosen.empty()) open_scene(state, chosen);
+    ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::TextWrapped("%s", row.name.c_str());
+    const Thumbnails* const known = frame.results.thumbnails.get();
+    const auto found = known ? known->find(row.path) : Thumbnails::const_iterator();
+    if (!known || found == known->end()) draw_faint(frame, chosen, "…");
+    else if (const std::string& error = found->second.error; !error.empty())
+        chosen ? draw_faint(frame, chosen, "✗ " + error) : draw_failure(frame, error);
+    else draw_faint(frame, chosen, found->second.title.empty() ? "without a title" : found->second.title);
+    ImGui::EndGroup();
+}
+
+void draw_list(const Frame& frame, SceneMenu& menu) {
+    const std::vector<SceneRow> listed = rows(menu);
+    if (listed.empty()) ImGui::TextWrapped("Nothing here has that in its name. Enter opens the path as it is typed.");
+    const bool follow = std::exchange(menu.in_sight, menu.chosen) != menu.chosen;
+    std::string section;
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+        const SceneRow& row = listed[i];
+        if (std::exchange(section, row.section) != row.section) {
+            ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
+            ImGui::TextWrapped("%s", row.section.c_str());
+            ImGui::PopStyleColor();
+        }
+        const bool chosen = i == menu.chosen;
+        const bool clicked = draw_row(frame, chosen, follow, [&] {
+            if (row.is_folder) ImGui::TextWrapped("%s", row.name.c_str());
+            else draw_scene(frame, row, chosen);
+        });
+        if (!clicked) continue;
+        menu.chosen = i;
+        return open_chosen(frame.state);
+    }
 }
 
 }  // namespace
 
 void draw_scene_menu(const Frame& frame) {
     SceneMenu& menu = frame.state.scene_menu;
-    if (!menu.shown) {
-        menu.scenes.clear();  // so that they are read again next time
-        return;
-    }
-    if (menu.scenes.empty()) list_scenes(menu);
-    const ImGuiViewport* viewport = ImGui::GetMainViewport();
-    const float font = ImGui::GetFontSize();
-    const ImVec2 corner = viewport->WorkPos, all = viewport->WorkSize;
-    ImGui::SetNextWindowPos({corner.x + all.x / 2, corner.y + all.y / 2}, ImGuiCond_Always, {.5f, .5f});
-    ImGui::SetNextWindowSize({std::min(36 * font, all.x * .95f), std::min(34 * font, all.y * .9f)});
-    constexpr ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize;
-    if (ImGui::Begin("Open a scene", &menu.shown, flags)) {
-        typed_path(frame);
-        ImGui::Spacing();
-        shipped_list(frame);
-    }
-    ImGui::End();
+    if (!menu.shown) return;
+    draw_dialog("Open a scene", menu.shown, 40, 36, [&] {
+        type(menu,
+             typed_text("a name, or a path/to/scene.toml", menu.typed, menu.renewed, [&] { return completed(menu); }));
+        draw_failure(frame, frame.state.file_error);
+        const char* const keys = "↑ ↓ choose · Enter opens · Tab completes · Esc closes";
+        const float below = wrapped_height(keys) + ImGui::GetStyle().ItemSpacing.y;
+        ImGui::BeginChild("scenes", {0, std::max(2 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().y - below)});
+        draw_list(frame, menu);
+        ImGui::EndChild();
+        ImGui::TextWrapped("%s", keys);
+    });
 }
 
 }  // namespace glassbox

@@ -33,8 +33,14 @@ void resize_text(ViewerState& state, float by) {
 void draw_toolbar(const Frame& frame) {
     ViewerState& state = frame.state;
     // What does not fit continues in the next line.
-    if (ImGui::Button("Open…")) state.scene_menu.shown = !state.scene_menu.shown;
+    if (ImGui::Button("Open…")) show_scene_menu(state);
     tip("Open another scene (Ctrl+O)");
+    flow("Save…");
+    if (ImGui::Button("Save…")) show_save_menu(state);
+    tip("Save the picture, the overlay or its numbers (Ctrl+S)");
+    flow("Copy…");
+    if (ImGui::Button("Copy…")) show_copy_menu(state);
+    tip("Copy the command that makes this again (Ctrl+Shift+C)");
     flow("Stage1");
     stage_buttons(state);
     flow("Undo");

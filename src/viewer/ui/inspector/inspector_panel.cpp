@@ -35,19 +35,22 @@ void beside_if_it_fits(float width) {
 
 float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x; }
 
-/// A button that copies the result of `make`.
+/// A button that copies the result of `make`, and tells what that is.
 template <class Make>
-void copy_button(const char* label, const char* what, const Make& make) {
-    if (ImGui::Button(label)) ImGui::SetClipboardText(make().c_str());
+void copy_button(const Frame& frame, const char* label, const char* what, const std::string& told, const Make& make) {
+    if (ImGui::Button(label)) copy(frame.state, make(), told);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
 }
 
 void draw_tools(const Frame& frame, const Story& story) {
-    copy_button("Copy as text", "All of this, as `glassbox explain` prints it", [&] { return to_text(story); });
+    const std::string whose = fmt::format("the story of pixel ({}, {})", story.x, story.y);
+    copy_button(frame, "Copy as text", "All of this, as `glassbox explain` prints it", whose + ", as text",
+                [&] { return to_text(story); });
     beside_if_it_fits(button_width("Copy as JSON"));
-    copy_button("Copy as JSON", "All of this, as `glassbox explain --json` prints it", [&] { return to_json(story); });
+    copy_button(frame, "Copy as JSON", "All of this, as `glassbox explain --json` prints it", whose + ", as JSON",
+                [&] { return to_json(story); });
     beside_if_it_fits(button_width("Copy command"));
-    copy_button("Copy command", story.command.c_str(), [&] { return story.command; });
+    copy_button(frame, "Copy command", story.command.c_str(), story.command, [&] { return story.command; });
 
     struct Choice {
         NumberForm form;

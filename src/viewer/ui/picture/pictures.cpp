@@ -11,14 +11,14 @@
 
 namespace glassbox {
 
-namespace {
-
 std::vector<Rgba> opaque(const Image& image) {
     std::vector<Rgba> pixels;
     pixels.reserve(image.pixels.size());
     for (const Rgb& c : image.pixels) pixels.push_back({c.red, c.green, c.blue, 255});
     return pixels;
 }
+
+namespace {
 
 void fill(Texture& texture, const Image& image) { texture.fill(image.width, image.height, opaque(image)); }
 

@@ -11,6 +11,9 @@
 
 namespace glassbox {
 
+/// A picture's pixels as a texture takes them.
+std::vector<Rgba> opaque(const Image& image);
+
 /// The computed pictures as textures, and what is said of them; updated when there is something newer.
 class Pictures {
 public:

@@ -1,4 +1,4 @@
-#include "explain/shell_word.hpp"
+#include "scene/shell_word.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,57 @@
+#include "render/command.hpp"
+
+#include <fmt/format.h>
+
+#include "scene/scene_path.hpp"
+#include "scene/shell_word.hpp"
+
+namespace glassbox {
+
+namespace {
+
+/// A file's name that is not taken for an option.
+std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
+
+std::string begun(std::string_view verb, const SceneWords& scene) {
+    std::string line = fmt::format("glassbox {} {}", verb, file_word(scene_word(scene.file)));
+    if (scene.size) line += fmt::format(" --size {}x{}", scene.size->first, scene.size->second);
+    for (const Parameter* parameter : scene.told) {
+        line += fmt::format(" --{}", parameter->name);
+        if (const std::string value = written(*parameter, scene.setup); !value.empty()) line += ' ' + shell_word(value);
+    }
+    return line;
+}
+
+}  // namespace
+
+std::vector<const Parameter*> differing(const Setup& setup, const Setup& original) {
+    std::vector<const Parameter*> different;
+    for (const Parameter& parameter : parameters())
+        if (!is_same(parameter, setup, original)) different.push_back(&parameter);
+    return different;
+}
+
+std::string explain_command(const SceneWords& scene, Pixel pixel) {
+    return begun("explain", scene) + fmt::format(" --pixel {},{}", pixel.x, pixel.y);
+}
+
+std::string render_command(const SceneWords& scene, std::string_view extension) {
+    return begun("render", scene) + " -o " + file_word(usual_name(scene.file, {}, extension));
+}
+
+std::string measure_command(const SceneWords& scene, std::span<const std::string_view> what,
+                            std::string_view extension) {
+    return begun("measure", scene) + fmt::format(" --what {}", fmt::join(what, ",")) + " -o " +
+           file_word(usual_name(scene.file, what, extension));
+}
+
+std::string view_command(const SceneWords& scene, std::string_view more) { return begun("view", scene).append(more); }
+
+std::string usual_name(const std::filesystem::path& scene, std::span<const std::string_view> what,
+                       std::string_view ending) {
+    std::string name = scene.stem().string();
+    for (const std::string_view each : what) name.append("-").append(each);
+    return name.append(ending);
+}
+
+}  // namespace glassbox
