@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/again.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/notes.hpp"
@@ -23,20 +24,24 @@ namespace glassbox {
 namespace {
 
 struct ExplainRequest : Request {
-    std::string pixel;
+    std::string pixel, ray;
     bool json = false, predict = false;
 };
 
-/// The command line that asks for the same story.
-std::string again(const CLI::App& command, const ExplainRequest& request) {
-    std::string line = fmt::format("glassbox {} {}", command.get_name(), shell_word(request.scene));
-    for (const CLI::Option* option : command.get_options()) {
-        const std::string name = option->get_lnames().empty() ? std::string() : option->get_lnames().front();
-        if (option->count() == 0 || option->get_positional() || name == "json") continue;
-        line += " --" + name;
-        if (option->get_expected_max() > 0) line += ' ' + shell_word(option->results().front());
-    }
-    return line;
+/// The scene seen as one pixel, whose ray this is, to the bit; nothing turns it, and no border hides it.
+Scene seen_along(Scene scene, const Ray<double>& ray) {
+    scene.width = scene.height = 1;
+    scene.border.reset();
+    scene.view = ParallelView{.corner = ray.P, .right = {}, .up = {}, .direction = ray.D};
+    return scene;
+}
+
+/// What was typed about how pixels become rays.
+std::vector<std::string> of_no_use_to_a_ray(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const char* name : {"--size", "--turn", "--accumulated"})
+        if (command.get_option(name)->count() > 0) names.push_back(fmt::format("{} (only for pixels)", name));
+    return names;
 }
 
 /// Asks a reader at the terminal. Answers that come from elsewhere are shown, as a terminal shows what is typed.
@@ -53,12 +58,20 @@ void ask(const Story& story) {
 }
 
 void run(const CLI::App& command, const ExplainRequest& request) {
-    const Scene scene = load(request);
-    const auto [x, y] = pixel("--pixel", request.pixel, scene);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
-    Story story = explain(scene, request.setup.options, x, y);
+    if (request.pixel.empty() == request.ray.empty())
+        throw wrong("--pixel", request.ray.empty() ? "it is missing: X,Y, or --ray with a ray of your own"
+                                                   : "a pixel has a ray; leave out this or --ray");
+    const bool is_own = !request.ray.empty();
+    const auto own = is_own ? std::optional(ray("--ray", request.ray)) : std::nullopt;
+    const Scene scene = own ? seen_along(load(request), *own) : load(request);
+    const auto [x, y] = own ? Pixel{} : pixel("--pixel", request.pixel, scene);
+    Options options = request.setup.options;
+    note(command, "not used", own ? of_no_use_to_a_ray(command) : unused_options(command, Rays::of_a_picture, options));
+    if (own) options.turns.clear();
+    Story story = explain(scene, options, x, y);
     if (request.predict) return ask(story);
-    story.command = again(command, request);
+    story.command =
+        fmt::format("glassbox explain {}{}", shell_word(request.scene), options_again(command, {"json"}));
     print_text(request.json ? to_json(story) : to_text(story));
 }
 
@@ -69,8 +82,9 @@ void add_explain(CLI::App& program) {
     CLI::App* command = program.add_subcommand("explain", "Tell how one pixel came about, number by number");
     add_scene_options(*command, *request);
     command->add_option("--pixel", request->pixel, "the pixel: x to the right, y down, (0,0) is the top-left one")
-        ->type_name("X,Y")
-        ->required();
+        ->type_name("X,Y");
+    command->add_option("--ray", request->ray, "or a ray of your own: its origin and its direction")
+        ->type_name("OX,OY,OZ,DX,DY,DZ");
     CLI::Option* json =
         command->add_flag("--json", request->json, "as JSON, with all digits and each operation (docs/explain.md)");
     command

@@ -24,6 +24,7 @@ void add_commands(CLI::App& program, glassbox::Session& session) {
     glassbox::add_measure(program, session);
     glassbox::add_shoot(program, session);
     glassbox::add_explain(program);
+    glassbox::add_compare(program, session);
     glassbox::add_view(program);
     glassbox::add_scene(program);
     glassbox::add_learn(program, session);
