@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -39,7 +38,8 @@ struct CompareRequest : Request {
 Theirs theirs_of(const CLI::App& command, const CompareRequest& request) {
     Theirs theirs = request.theirs;
     if (command.get_option("--sphere")->count() > 0) theirs.formulas.spheres = {request.setup.options.sphere_rule};
-    if (command.get_option("--triangle")->count() > 0) theirs.formulas.triangles = {request.setup.options.triangle_rule};
+    if (command.get_option("--triangle")->count() > 0)
+        theirs.formulas.triangles = {request.setup.options.triangle_rule};
     return theirs;
 }
 
@@ -50,13 +50,19 @@ void check_asked(const CompareRequest& request) {
         throw wrong(has_rays ? "--rays" : "--hits", "rays or a picture can be compared, one at a time; leave out one");
     if (request.picture.empty() && !has_rays && !has_hits)
         throw wrong("THEIRS.png", "it is missing; or write --rays RAYS.csv --hits THEIRS.csv");
-    if (has_rays && !request.out.empty())
-        throw wrong("--out", "rays have no picture; leave it out");
+    if (has_rays && !request.out.empty()) throw wrong("--out", "rays have no picture; leave it out");
     if (has_rays != has_hits)
         throw wrong(has_rays ? "--hits" : "--rays", "it is missing; write --rays RAYS.csv --hits THEIRS.csv");
     if (!is_proven(request.setup.options.scalar))
-        throw wrong("--scalar", "what theirs is compared with is always proven: certified or exact; what they compute in "
-                                "is --precision float or double");
+        throw wrong("--scalar",
+                    "what theirs is compared with is always proven: certified or exact; what they compute in "
+                    "is --precision float or double");
+}
+
+/// How many differences rounding does not explain, as far as is known.
+template <class Comparison>
+std::size_t beyond_rounding_in(const Comparison& comparison) {
+    return comparison.count(Cause::mistake) + comparison.count(Cause::unknown);
 }
 
 std::string ray_typed(const Ray<double>& ray) {
@@ -73,20 +79,24 @@ bool compare_rays(const CLI::App& command, const CompareRequest& request, Sessio
     const Claims claims = read_hits(here_or_shipped(request.hits), rays.size(), spheres + triangles);
     note(command, "not used", unused_options(command, Rays::of_ones_own, options));
     const Theirs theirs = theirs_of(command, request);
-    const RayComparison comparison = [&] {
+    const auto compared_in = [&](TheirPrecision precision) {
         Progress progress("comparing", 2 * static_cast<std::int64_t>(rays.size()));  // shot, then judged
-        return compare_rays(scene, options, rays, claims, theirs,
+        return compare_rays(scene, options, rays, claims, {precision, theirs.formulas},
                             {request.threads, session.interrupt.token(), &progress.done()});
-    }();
+    };
+    const RayComparison comparison = compared_in(theirs.precision);
+    const std::size_t beyond = beyond_rounding_in(comparison);
     const std::string again = options_again(
         command, {"rays", "hits", "out", "json", "worst", "precision", "threads", "size", "turn", "accumulated"});
     const auto command_for = [&](std::size_t ray) {
         if (!is_valid(rays[ray])) return std::string();
         return fmt::format("glassbox explain {} --ray {}{}", shell_word(request.scene), ray_typed(rays[ray]), again);
     };
-    const RaysReport report{comparison, claims, theirs, static_cast<std::size_t>(request.worst), command_for};
+    RaysReport report{comparison, claims, theirs, static_cast<std::size_t>(request.worst), command_for};
+    if (beyond > 0 && theirs.precision == TheirPrecision::double_)
+        report.beyond_float = beyond_rounding_in(compared_in(TheirPrecision::float_));
     print_text(request.json ? to_json(report) : to_text(report));
-    return std::ranges::any_of(comparison.differences, is_beyond_rounding, &RayDifference::cause);
+    return beyond > 0;
 }
 
 /// Throws Error if the picture of the differences would replace what is read.
@@ -94,7 +104,8 @@ void check_keeps_pictures(const CompareRequest& request) {
     check_picture_file(request.out);
     std::error_code none;
     for (const std::filesystem::path& input : {std::filesystem::path(request.picture), scene_path(request.scene)})
-        if (std::filesystem::is_regular_file(request.out, none) && std::filesystem::equivalent(request.out, input, none))
+        if (std::filesystem::is_regular_file(request.out, none) &&
+            std::filesystem::equivalent(request.out, input, none))
             throw error_at({request.out}, "this file is read, and would be lost; name another one for the differences");
 }
 
@@ -105,34 +116,37 @@ bool compare_pictures(const CLI::App& command, const CompareRequest& request, Se
     const Options& options = request.setup.options;
     const Image picture = read_picture(request.picture);
     if (picture.width != scene.width || picture.height != scene.height)
-        throw error_at({request.picture},
-                       fmt::format("it has {}x{} pixels, and the scene's picture {}x{}; write --size {}x{} if that is its "
-                                   "size, or render theirs anew",
-                                   picture.width, picture.height, scene.width, scene.height, picture.width,
-                                   picture.height));
+        throw error_at(
+            {request.picture},
+            fmt::format("it has {}x{} pixels, and the scene's picture {}x{}; write --size {}x{} if that is its "
+                        "size, or render theirs anew",
+                        picture.width, picture.height, scene.width, scene.height, picture.width, picture.height));
     note(command, "not used", unused_options(command, Rays::of_a_picture, options));
     const Theirs theirs = theirs_of(command, request);
-    const PictureComparison comparison = [&] {
+    const auto compared_in = [&](TheirPrecision precision) {
         Progress progress("comparing", 2 * std::int64_t{scene.width} * scene.height);  // drawn, then judged
-        return compare_pictures(scene, request.size.has_value(), options, picture, theirs,
+        return compare_pictures(scene, request.size.has_value(), options, picture, {precision, theirs.formulas},
                                 {request.threads, session.interrupt.token(), &progress.done()});
-    }();
-    const std::string again =
-        options_again(command, {"rays", "hits", "out", "json", "worst", "precision", "threads"});
+    };
+    const PictureComparison comparison = compared_in(theirs.precision);
+    const std::size_t beyond = beyond_rounding_in(comparison);
+    const std::string again = options_again(command, {"rays", "hits", "out", "json", "worst", "precision", "threads"});
     const auto command_for = [&](Pixel pixel) {
         return fmt::format("glassbox explain {} --pixel {},{}{}", shell_word(request.scene), pixel.x, pixel.y, again);
     };
-    const PicturesReport report{comparison, theirs, static_cast<std::size_t>(request.worst), command_for};
+    PicturesReport report{comparison, theirs, static_cast<std::size_t>(request.worst), command_for};
+    if (beyond > 0 && theirs.precision == TheirPrecision::double_ && comparison.is_all())
+        report.beyond_float = beyond_rounding_in(compared_in(TheirPrecision::float_));
     if (!request.out.empty())
         write_picture(request.out, difference_picture(comparison, picture), session.interrupt.token());
     print_text(request.json ? to_json(report) : to_text(report));
-    return std::ranges::any_of(comparison.looked_into, is_beyond_rounding, &PixelDifference::cause);
+    return beyond > 0;
 }
 
 void run(const CLI::App& command, const CompareRequest& request, Session& session) {
     check_asked(request);
-    const bool has_mistakes = request.picture.empty() ? compare_rays(command, request, session)
-                                                      : compare_pictures(command, request, session);
+    const bool has_mistakes =
+        request.picture.empty() ? compare_rays(command, request, session) : compare_pictures(command, request, session);
     check_printed();
     if (has_mistakes) throw CLI::RuntimeError(beyond_rounding);
 }
@@ -150,7 +164,9 @@ void add_compare(CLI::App& program, Session& session) {
     command
         ->add_option_function<std::string>(
             "--precision",
-            [request](const std::string& typed) { request->theirs.precision = chosen("--precision", typed, precisions); },
+            [request](const std::string& typed) {
+                request->theirs.precision = chosen("--precision", typed, precisions);
+            },
             "what they compute in: double or float (default: double)")
         ->type_name("P");
     command
@@ -162,8 +178,9 @@ void add_compare(CLI::App& program, Session& session) {
     add_file(*command, "-o,--out", "DIFF.png|.ppm", "a picture of the differences, in bright colours by their cause",
              request->out);
     command->add_flag("--json", request->json, "as JSON (docs/compare.md)");
-    command->footer("Example: glassbox compare room theirs.png --precision float -o why.png\n"
-                    "Exit status: 0 if nothing differs but what rounding may, else 1.");
+    command->footer(
+        "Example: glassbox compare room theirs.png --precision float -o why.png\n"
+        "Exit status: 0 if nothing differs but what rounding may, else 1.");
     command->callback([request, command, &session] { run(*command, *request, session); });
 }
 

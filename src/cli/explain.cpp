@@ -70,8 +70,7 @@ void run(const CLI::App& command, const ExplainRequest& request) {
     if (own) options.turns.clear();
     Story story = explain(scene, options, x, y);
     if (request.predict) return ask(story);
-    story.command =
-        fmt::format("glassbox explain {}{}", shell_word(request.scene), options_again(command, {"json"}));
+    story.command = fmt::format("glassbox explain {}{}", shell_word(request.scene), options_again(command, {"json"}));
     print_text(request.json ? to_json(story) : to_text(story));
 }
 

@@ -11,8 +11,8 @@
 #include "render/lighting.hpp"
 #include "render/parallel.hpp"
 #include "render/render.hpp"
-#include "render/search/with_search.hpp"
 #include "render/search/surfaces.hpp"
+#include "render/search/with_search.hpp"
 #include "render/tracer.hpp"
 
 namespace glassbox {
@@ -88,8 +88,7 @@ public:
     /// Fills in what a difference comes from.
     void judge(PixelDifference& one) const {
         const auto [x, y] = one.pixel;
-        const bool is_border =
-            scene_.border && (x == 0 || y == 0 || x == scene_.width - 1 || y == scene_.height - 1);
+        const bool is_border = scene_.border && (x == 0 || y == 0 || x == scene_.width - 1 || y == scene_.height - 1);
         if (stage_ == 1 || is_border) {
             one.seen = is_border ? Seen::border : one.off <= 1 ? Seen::color : Seen::shading;
             one.cause = one.seen == Seen::color ? Cause::rounding : Cause::mistake;
@@ -101,16 +100,18 @@ public:
         if (!hits.empty()) one.truth = Hit<double>{hits.front().surface, hits.front().t.value};
         Found best{Cause::mistake, {}, {}};
         if (one.truth) consider(best, theirs, hits, one.truth->surface, one.theirs);  // the likeliest first
-        for (std::size_t surface = 0; surface < surfaces_.size() && best.cause != Cause::rounding; ++surface)
+        for (std::size_t surface = 0; surface < surfaces_.size() && best.cause > Cause::rounding; ++surface)
             consider(best, theirs, hits, surface, one.theirs);
-        if (best.cause != Cause::rounding && is_background(one.theirs))
+        if (best.cause > Cause::rounding && is_background(one.theirs))
             best = std::min(best, Found{sight(theirs, surfaces_, hits, {}, formulas_), {}});
         one.cause = best.cause;
         one.surface = best.surface;
         one.calls = std::move(best.calls);
         if (best.cause == Cause::mistake) return tell_mistake(one, theirs, hits);
         const bool is_true_surface = best.surface && one.truth && *best.surface == one.truth->surface;
-        one.seen = is_true_surface || (!best.surface && !one.truth) ? Seen::color : Seen::neighbour;
+        one.seen = best.cause == Cause::tie                           ? Seen::tie
+                   : is_true_surface || (!best.surface && !one.truth) ? Seen::color
+                                                                      : Seen::neighbour;
     }
 
 private:
@@ -140,6 +141,9 @@ private:
         if (!possibly(fits)) return;
         Found found(seen, surface);
         if (!surely(fits)) found.cause = std::max(found.cause, Cause::unknown);
+        const auto met = std::ranges::find(hits, surface, &TrueHit::surface);
+        const bool is_tie = met != hits.end() && met != hits.begin() && met->as_near;
+        if (is_tie && found.cause == Cause::rounding) found.cause = Cause::tie;
         best = std::min(best, found);
     }
 
@@ -223,7 +227,8 @@ PictureComparison compare_pictures(const Scene& scene, bool is_resized, const Op
         result.mean += one.off / static_cast<double>(all.size());
     }
     if (all.empty()) return result;
-    result.explanations = explanations(scene, options, picture, result.ours, all.size(), {job.threads, job.stop, nullptr, ours.engine});
+    result.explanations =
+        explanations(scene, options, picture, result.ours, all.size(), {job.threads, job.stop, nullptr, ours.engine});
 
     const View seen = view(scene, options);
     Options proven = options;
@@ -233,25 +238,28 @@ PictureComparison compare_pictures(const Scene& scene, bool is_resized, const Op
     // Pictures that are rendered besides do not count; looking into pixels does, as much as rendering them all.
     const auto worth = static_cast<std::int64_t>(result.ours.pixels.size() / some.size());
     std::atomic<std::int64_t>* const done = std::exchange(ours.done, nullptr);
-    with_search<AllMet>(scene, proven, reach(seen, scene.width, scene.height), ours, [&]<class Search>(const Search& search) {
-        if constexpr (requires { search.predicates(); })
-            with_precision(theirs.precision, [&]<class Real>(std::type_identity<Real>) {
-                const PixelJudge<Real, Search> judge(scene, is_resized, options, search, *ours.engine, theirs.formulas);
-                const auto judge_all = [&](std::vector<PixelDifference>& pixels) {
-                    for_each_index(pixels.size(), ours, [&](std::size_t i) {
-                        judge.judge(pixels[i]);
-                        if (done && &pixels == &some) *done += worth;
-                    });
-                };
-                judge_all(some);
-                result.looked_into = std::move(some);
-                const bool has_mistake = std::ranges::any_of(result.looked_into, is_beyond_rounding, &PixelDifference::cause);
-                if (has_mistake || others.empty()) return;
-                // That rounding explains all can be said only of all.
-                judge_all(others);
-                std::ranges::move(others, std::back_inserter(result.looked_into));
-            });
-    });
+    with_search<AllMet>(
+        scene, proven, reach(seen, scene.width, scene.height), ours, [&]<class Search>(const Search& search) {
+            if constexpr (requires { search.predicates(); })
+                with_precision(theirs.precision, [&]<class Real>(std::type_identity<Real>) {
+                    const PixelJudge<Real, Search> judge(scene, is_resized, options, search, *ours.engine,
+                                                         theirs.formulas);
+                    const auto judge_all = [&](std::vector<PixelDifference>& pixels) {
+                        for_each_index(pixels.size(), ours, [&](std::size_t i) {
+                            judge.judge(pixels[i]);
+                            if (done && &pixels == &some) *done += worth;
+                        });
+                    };
+                    judge_all(some);
+                    result.looked_into = std::move(some);
+                    const bool has_mistake =
+                        std::ranges::any_of(result.looked_into, is_beyond_rounding, &PixelDifference::cause);
+                    if (has_mistake || others.empty()) return;
+                    // That rounding explains all can be said only of all.
+                    judge_all(others);
+                    std::ranges::move(others, std::back_inserter(result.looked_into));
+                });
+        });
     std::ranges::sort(result.looked_into, {},
                       [](const PixelDifference& one) { return std::pair(one.pixel.y, one.pixel.x); });
     return result;

@@ -95,7 +95,8 @@ private:
         }
         result.cause = Cause::mistake;
         result.calls.clear();
-        result.times = truth && result.t_bound > 0 ? std::abs(*result.t_off) / result.t_bound : 0;
+        const double times = truth && result.t_bound > 0 ? std::abs(*result.t_off) / result.t_bound : 0;
+        result.times = std::isnan(times) ? std::numeric_limits<double>::infinity() : times;
     }
 
     bool may_have(const Ray<double>& ray, std::size_t surface, const Claim& claim) const {

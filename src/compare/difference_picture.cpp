@@ -13,9 +13,10 @@ namespace {
 
 /// Bright on a dark picture, and of different lightness: blue, pink, orange, and nearly white.
 constexpr Rgb rounding_color{70, 150, 255}, unknown_color{255, 110, 220}, mistake_color{255, 150, 0},
-    not_looked_into{240, 240, 200};
+    tie_color{90, 200, 110}, not_looked_into{240, 240, 200};
 
 Rgb color_of(Cause cause) {
+    if (cause == Cause::tie) return tie_color;
     return cause == Cause::mistake ? mistake_color : cause == Cause::unknown ? unknown_color : rounding_color;
 }
 
@@ -41,20 +42,22 @@ Image difference_picture(const PictureComparison& comparison, const Image& their
         small.pixels[i] = theirs.pixels[i] == ours.pixels[i] ? dimmed(ours.pixels[i]) : not_looked_into;
     const int factor = enlargement(ours.width, ours.height);
     Image picture = enlarged(small, factor);
-    for (const Cause cause : {Cause::rounding, Cause::unknown, Cause::mistake})  // the worst on top
+    for (const Cause cause : {Cause::tie, Cause::rounding, Cause::unknown, Cause::mistake})  // the worst on top
         for (const PixelDifference& one : comparison.looked_into)
             if (one.cause == cause) mark(picture, one.pixel, factor, color_of(cause));
 
     const int size = std::max(14, picture.height / 24), margin = size;
     const int width = std::max(picture.width, 20 * size);
     Column legend(width, size);
-    legend.paragraph(fmt::format("differ: {} of {}", comparison.differ, counted(ours.pixels.size(), "pixel")), {size, ink});
-    for (const Cause cause : {Cause::mistake, Cause::unknown, Cause::rounding})
+    legend.paragraph(fmt::format("differ: {} of {}", comparison.differ, counted(ours.pixels.size(), "pixel")),
+                     {size, ink});
+    for (const Cause cause : {Cause::mistake, Cause::unknown, Cause::rounding, Cause::tie})
         legend.swatch(color_of(cause), fmt::format("{}: {}", causes[static_cast<std::size_t>(cause)].help,
                                                    counted(comparison.count(cause), "pixel")));
     if (!comparison.is_all())
-        legend.swatch(not_looked_into, fmt::format("they differ, too, and were not looked into: {}",
-                                                   counted(comparison.differ - comparison.looked_into.size(), "pixel")));
+        legend.swatch(not_looked_into,
+                      fmt::format("they differ, too, and were not looked into: {}",
+                                  counted(comparison.differ - comparison.looked_into.size(), "pixel")));
     legend.swatch({24, 24, 24}, "the same: our picture, dark and grey");
 
     Image sheet(width + 2 * margin, picture.height + legend.image.height + 3 * margin, paper);

@@ -28,7 +28,8 @@ Explanation placed(std::string words, const Image& theirs, const Image& ours, co
 
 /// How many pixels differ if each byte of theirs comes from ours by a curve from 0 to 1. A byte of ours stands for all
 /// that are rounded to it, or cut.
-Explanation curved(std::string words, const Image& theirs, const Image& ours, const std::function<double(double)>& curve) {
+Explanation curved(std::string words, const Image& theirs, const Image& ours,
+                   const std::function<double(double)>& curve) {
     std::array<std::pair<double, double>, 256> between;
     for (int byte = 0; byte < 256; ++byte) {
         const auto at = [&](int b) { return 255 * curve(std::clamp(b, 0, 255) / 255.0); };
@@ -66,8 +67,8 @@ Explanation swapped(std::string words, const Image& theirs, Image ours) {
     return placed(std::move(words), theirs, ours, [](int x, int y) { return Pixel{x, y}; });
 }
 
-/// The scene's picture with so many pixels more on the right and above: these have the same size as before, and all move
-/// by half as many to the left and down.
+/// The scene's picture with so many pixels more on the right and above: these have the same size as before, and all
+/// move by half as many to the left and down.
 Scene widened(Scene scene, int right, int above) {
     if (auto* v = std::get_if<ParallelView>(&scene.view)) {
         v->corner = v->corner - right / 2.0 * v->right - above / 2.0 * v->up;
@@ -90,14 +91,15 @@ void add_half_pixels(std::vector<Explanation>& all, const Scene& scene, const Op
         const Image wider = render(widened(scene, right, above), options, job);
         for (int dx = 0; dx <= right; ++dx)
             for (int dy = 0; dy <= above; ++dy) {
-                // Column dx of the wider picture lies half a pixel to the left of our first one, or to its right. What is
-                // seen there is their first: their picture has moved the other way.
+                // Column dx of the wider picture lies half a pixel to the left of our first one, or to its right. What
+                // is seen there is their first: their picture has moved the other way.
                 const std::string to_side = sideways[right == 0 ? 0 : dx == 0 ? 2 : 1];
                 const std::string up = upwards[above == 0 ? 0 : dy == 0 ? 1 : 2];
                 all.push_back(placed("shifted by half a pixel " + to_side + (right + above == 2 ? " and " : "") + up,
                                      theirs, wider, [=, &scene](int x, int y) -> std::optional<Pixel> {
-                                         const bool is_edge = scene.border && (x == 0 || y == 0 || x == scene.width - 1 ||
-                                                                               y == scene.height - 1);
+                                         const bool is_edge =
+                                             scene.border &&
+                                             (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
                                          return is_edge ? std::nullopt : std::optional(Pixel{x + dx, y + dy});
                                      }));
             }
@@ -106,8 +108,8 @@ void add_half_pixels(std::vector<Explanation>& all, const Scene& scene, const Op
 
 }  // namespace
 
-std::vector<Explanation> explanations(const Scene& scene, const Options& options, const Image& theirs, const Image& ours,
-                                      std::size_t differ, const Job& job) {
+std::vector<Explanation> explanations(const Scene& scene, const Options& options, const Image& theirs,
+                                      const Image& ours, std::size_t differ, const Job& job) {
     const int last_x = ours.width - 1, last_y = ours.height - 1;
     std::vector<Explanation> all;
     const auto place = [&](const char* words, const Place& from) { all.push_back(placed(words, theirs, ours, from)); };

@@ -83,8 +83,7 @@ std::size_t index_in(const Field& field, std::size_t count, std::string_view thi
     const auto [end, error] = std::from_chars(field.text.data(), field.text.data() + field.text.size(), index);
     const bool is_read = error == std::errc{} && end == field.text.data() + field.text.size();
     if (is_read && index < count) return index;
-    if (count == 0)
-        throw error_at(field.place, fmt::format("{} {}: there is none", thing, in_quotes(field.text)));
+    if (count == 0) throw error_at(field.place, fmt::format("{} {}: there is none", thing, in_quotes(field.text)));
     throw error_at(field.place, fmt::format("{} {} is not there; they are counted from 0 to {}", thing,
                                             in_quotes(field.text), count - 1));
 }
@@ -138,9 +137,9 @@ Claims read_hits(const std::filesystem::path& file, std::size_t rays, std::size_
         if (trimmed(lines[i]).empty()) continue;
         const std::vector<Field> row = fields_of(lines[i], {file.string(), i + 1, 1});
         if (row.size() != columns.count)
-            throw error_at(row[std::min(row.size() - 1, columns.count)].place,
-                           fmt::format("{} in this row; the header names {}", counted(row.size(), "field"),
-                                       columns.count));
+            throw error_at(
+                row[std::min(row.size() - 1, columns.count)].place,
+                fmt::format("{} in this row; the header names {}", counted(row.size(), "field"), columns.count));
         if (columns.ray == Columns::none && rows == rays)
             throw error_at(row.front().place,
                            fmt::format("a row more than there are rays, {}; a row each, in their order", rays));
@@ -153,8 +152,8 @@ Claims read_hits(const std::filesystem::path& file, std::size_t rays, std::size_
     }
     if (const auto missing = std::ranges::find(told, false); missing != told.end())
         throw error_at({file.string(), lines.size() + 1, 1},
-                       fmt::format("ray {} is missing: {} are told of, and there are {}", missing - told.begin(),
-                                   counted(rows, "ray"), rays));
+                       fmt::format("ray {} is missing: there {}, and {} here", missing - told.begin(),
+                                   rays == 1 ? "is 1 ray" : fmt::format("are {} rays", rays), counted(rows, "row")));
     return claims;
 }
 

@@ -34,9 +34,10 @@ struct Claims {
 template <class Real>
 inline constexpr int digits_of = std::numeric_limits<Real>::max_digits10 - 1;
 
-/// Reads a table as `glassbox shoot` writes it, of `rays` rays in a scene of `surfaces` surfaces. Its header may name the
-/// columns ray, verdict, surface and t in any order, and others, which are ignored; all but verdict may be left out.
-/// Without ray, rows are in the order of the rays. Throws Error, with file, line and column, for what cannot be meant.
+/// Reads a table as `glassbox shoot` writes it, of `rays` rays in a scene of `surfaces` surfaces. Its header may name
+/// the columns ray, verdict, surface and t in any order, and others, which are ignored; all but verdict may be left
+/// out. Without ray, rows are in the order of the rays. Throws Error, with file, line and column, for what cannot be
+/// meant.
 Claims read_hits(const std::filesystem::path& file, std::size_t rays, std::size_t surfaces);
 
 }  // namespace glassbox

@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr NameTable<Seen, seen_count> seens{{
     {"color", Seen::color, "the colour rounded, or cut to a byte, in another way"},
     {"neighbour", Seen::neighbour, "rounding decides what is seen"},
+    {"tie", Seen::tie, "another surface at exactly the same t"},
     {"behind", Seen::behind, "the colour of what lies behind"},
     {"background", Seen::background, "the background, where a surface is surely met"},
     {"shading", Seen::shading, "another colour than any surface here has"},
@@ -61,7 +62,8 @@ std::string seen_line(const PixelDifference& one) {
     const std::string words(named(one.seen).help);
     if (one.seen == Seen::behind) return fmt::format("{}, surface {}", words, *one.surface);
     if (one.seen != Seen::neighbour) return words;
-    return words + (one.surface ? fmt::format(": theirs may be surface {}", *one.surface) : ": theirs may be the background");
+    return words +
+           (one.surface ? fmt::format(": theirs may be surface {}", *one.surface) : ": theirs may be the background");
 }
 
 void tell(std::string& text, const PicturesReport& report, const PixelDifference& one) {
@@ -100,7 +102,9 @@ Json json(const PicturesReport& report, const PixelDifference& one) {
 std::string to_text(const PicturesReport& report) {
     const PictureComparison& all = report.comparison;
     std::string text;
-    const auto line = [&](std::string_view name, const std::string& what) { text += fmt::format("{:<12}{}\n", name, what); };
+    const auto line = [&](std::string_view name, const std::string& what) {
+        text += fmt::format("{:<12}{}\n", name, what);
+    };
     const std::string pixels = counted(all.ours.pixels.size(), "pixel");
     if (all.differ == 0) line("differ", fmt::format("0 of {}", pixels));
     else
@@ -109,17 +113,20 @@ std::string to_text(const PicturesReport& report) {
     if (!all.is_all())
         line("looked", fmt::format("into {} of them, which lie evenly; the following counts are of these",
                                    all.looked_into.size()));
-    for (const Cause cause : {Cause::mistake, Cause::unknown, Cause::rounding}) {
+    for (const Cause cause : {Cause::mistake, Cause::unknown, Cause::rounding, Cause::tie}) {
         const auto& [name, value, help] = causes[static_cast<std::size_t>(cause)];
-        if (all.count(cause) == 0 && cause == Cause::unknown) continue;
+        if (all.count(cause) == 0 && (cause == Cause::unknown || cause == Cause::tie)) continue;
         line(fmt::format("  {}", name), fmt::format("{}, {}", all.count(cause), help));
         for (const auto& [seen_name, seen, words] : seens)
             if (const std::size_t count = all.count(seen, cause); count > 0)
                 text += fmt::format("              {}: {}\n", count, words);
     }
     for (const Explanation& one : all.explanations)
-        line("found", fmt::format("theirs is ours {}: {} of {} differ then", one.words, one.still_differ, one.compared));
+        line("found",
+             fmt::format("theirs is ours {}: {} of {} differ then", one.words, one.still_differ, one.compared));
     line("judged", "by " + theirs_text(report.theirs));
+    const std::size_t beyond = all.count(Cause::mistake) + all.count(Cause::unknown);
+    if (report.beyond_float && *report.beyond_float < beyond) line("note", float_text(beyond, *report.beyond_float));
     const std::vector<const PixelDifference*> worst = worst_pixels(report);
     const PixelDifference* const first = first_pixel(all);
     if (first) line("first", fmt::format("pixel {},{}", first->pixel.x, first->pixel.y));
@@ -148,8 +155,10 @@ std::string to_json(const PicturesReport& report) {
                         {"mistake", all.count(Cause::mistake)},
                         {"unknown", all.count(Cause::unknown)},
                         {"rounding", all.count(Cause::rounding)},
+                        {"ties", all.count(Cause::tie)},
                         {"found", std::move(found)},
                         {"theirs", theirs_json(report.theirs)},
+                        {"beyond_float", report.beyond_float ? Json(*report.beyond_float) : Json(nullptr)},
                         {"first", first ? json(report, *first) : Json(nullptr)},
                         {"worst", std::move(worst)}};
     return whole.dump(1, ' ', true, Json::error_handler_t::replace) + '\n';

@@ -10,8 +10,10 @@ namespace glassbox {
 struct PicturesReport {
     const PictureComparison& comparison;
     Theirs theirs;
-    std::size_t worst = 5;                    ///< how many differences to tell
+    std::size_t worst = 5;                      ///< how many differences to tell
     std::function<std::string(Pixel)> command;  ///< that explains a pixel
+    /// How many rounding would not explain in float either, where that was asked, too.
+    std::optional<std::size_t> beyond_float = {};
 };
 
 /// For a reader: how many differ, how many of these rounding explains; then the worst, and the first.

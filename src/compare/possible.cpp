@@ -47,8 +47,7 @@ Decider reason_of_miss(const std::vector<Decider>& numbers, const std::optional<
     if (numbers.size() == 3) {
         const auto signed_times = [](const Decider& d) { return d.value < 0 ? -d.times() : d.times(); };
         const auto [negative, positive] = std::ranges::minmax_element(numbers, {}, signed_times);
-        if (negative->value < 0 && positive->value > 0)
-            reasons.push_back(least_certain({*negative, *positive}));
+        if (negative->value < 0 && positive->value > 0) reasons.push_back(least_certain({*negative, *positive}));
     }
     if (reasons.empty()) return numbers.empty() ? Decider{} : least_certain(numbers);
     return *std::ranges::max_element(reasons, {}, &Decider::times);
@@ -75,7 +74,7 @@ public:
             const bool may_be_met = possibly(crossing.met);
             some_ |= may_be_met;
             all_ &= surely(crossing.met);
-            if (may_be_met && !surely(crossing.met)) result_.undecided_by.push_back(std::string(name_of(rule)) + with);
+            if (may_be_met && !surely(crossing.met)) note_undecided(std::string(name_of(rule)), with);
             result_.has_bounds &= heard.are_known();
             const Bounded range = (crossing.t / unit).range();
             const bool has_t = range.value != 0 || range.error != 0;  // computed only where the line may meet it
@@ -92,6 +91,11 @@ public:
     }
 
 private:
+    /// Of a formula that leaves it open anyway it does not matter that it does so with a unit D, too.
+    void note_undecided(const std::string& name, const char* with) {
+        if (std::ranges::count(result_.undecided_by, name) == 0) result_.undecided_by.push_back(name + with);
+    }
+
     void take_t(const Bounded& range) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         const double error = Bounded::up(range.error + Bounded::u * std::abs(range.value));

@@ -20,9 +20,9 @@ struct Formulas {
 
 /// A number whose sign decides something about a surface, as the first of the formulas computes it.
 struct Decider {
-    std::string what;    ///< "side product a", "Δ", "t"; empty: none is known
-    double value = 0;    ///< near the true number
-    double error = 0;    ///< no rounding moves it further than this; infinite or NaN: nothing is known
+    std::string what;  ///< "side product a", "Δ", "t"; empty: none is known
+    double value = 0;  ///< near the true number
+    double error = 0;  ///< no rounding moves it further than this; infinite or NaN: nothing is known
     /// How many times the error it is away from 0, at least; 0 if nothing is known.
     double times() const { return value == 0 || !(error >= 0) ? 0 : std::abs(value) / error; }
 };
@@ -47,8 +47,8 @@ struct Possible {
     }
 };
 
-/// Tests one surface by all formulas, each with D as it is and with D made a unit vector, in the scalar Real. `is_met` is
-/// the truth, which says what the verdict hangs on.
+/// Tests one surface by all formulas, each with D as it is and with D made a unit vector, in the scalar Real. `is_met`
+/// is the truth, which says what the verdict hangs on.
 template <class Real>
 Possible possible(const Ray<Enclosure<Real>>& ray, const engine::Engine& surfaces, std::size_t surface, bool is_met,
                   const Formulas& formulas);

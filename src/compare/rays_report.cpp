@@ -66,7 +66,8 @@ std::string truth_text(const Shot& shot) {
 
 std::string t_text(const RayDifference& one) {
     if (!one.t_off) return "";
-    const std::string off = fmt::format("t is off by {:.3g}", std::abs(*one.t_off));
+    if (!std::isfinite(*one.t_off)) return "their t is not finite";
+    const std::string off = fmt::format("their t is {} from the certified one", rounded_up(std::abs(*one.t_off), 3));
     if (!std::isfinite(one.t_bound)) return off + "; rounding leaves it without a bound";
     return fmt::format("{}; rounding moves it by {} at most", off, rounded_up(one.t_bound, 2));
 }
@@ -138,11 +139,14 @@ std::string to_text(const RaysReport& report) {
         line("ties", fmt::format("{} besides: {}; both are right", ties, causes[1].help));
     double most = 0;
     for (const RayDifference& one : all.differences)
-        if (one.wrong == Wrong::t && one.t_off) most = std::max(most, std::abs(*one.t_off));
-    if (most > 0) line("t", fmt::format("off by {} at most", rounded_up(most, 3)));
+        if (one.wrong == Wrong::t && one.t_off && std::isfinite(*one.t_off))
+            most = std::max(most, std::abs(*one.t_off));
+    if (most > 0) line("t", fmt::format("{} from the certified one at most", rounded_up(most, 3)));
     line("judged", "by " + theirs_text(report.theirs));
+    const std::size_t beyond = all.count(Cause::mistake) + all.count(Cause::unknown);
+    if (report.beyond_float && *report.beyond_float < beyond) line("note", float_text(beyond, *report.beyond_float));
     if (report.claims.is_shortened(report.theirs.precision == TheirPrecision::float_ ? digits_of<float>
-                                                                                  : digits_of<double>))
+                                                                                     : digits_of<double>))
         line("note", fmt::format("their t have {} digits at most; what half of the last one explains is the writing's. "
                                  "Write all, as %.17g does",
                                  report.claims.digits));
@@ -171,6 +175,7 @@ std::string to_json(const RaysReport& report) {
                         {"rounding", all.count(Cause::rounding)},
                         {"ties", all.count(Cause::tie)},
                         {"theirs", theirs_json(report.theirs)},
+                        {"beyond_float", report.beyond_float ? Json(*report.beyond_float) : Json(nullptr)},
                         {"first", first ? json(report, *first) : Json(nullptr)},
                         {"worst", std::move(worst)}};
     return whole.dump(1, ' ', true, Json::error_handler_t::replace) + '\n';

@@ -11,8 +11,10 @@ struct RaysReport {
     const RayComparison& comparison;
     const Claims& claims;
     Theirs theirs;
-    std::size_t worst = 5;                           ///< how many differences to tell
+    std::size_t worst = 5;                            ///< how many differences to tell
     std::function<std::string(std::size_t)> command;  ///< that shows a ray
+    /// How many rounding would not explain in float either, where that was asked, too.
+    std::optional<std::size_t> beyond_float = {};
 };
 
 /// For a reader: how many differ, how many of these rounding explains; then the worst, and the first.

@@ -67,8 +67,7 @@ Sight sight(const Ray<Enclosure<Real>>& ray, const engine::Engine& surfaces, con
     }
     for (auto nearer = hits.begin(); nearer != truly; ++nearer)
         if (!(is_met && truly->as_near))
-            result.calls.push_back(
-                overtaking(nearer->surface, test(nearer->surface, true), *claimed, *result.seen));
+            result.calls.push_back(overtaking(nearer->surface, test(nearer->surface, true), *claimed, *result.seen));
     return result;
 }
 

@@ -55,11 +55,12 @@ std::vector<TrueHit> true_hits(const Search& search, const Ray<double>& ray) {
 /// One thing that had to come out otherwise than it truly does, for another surface to be seen.
 struct Call {
     std::size_t surface = 0;
-    std::optional<std::size_t> behind;  ///< it had to be missed, or lie behind this one; none: it had to be met, or missed
-    bool is_met = false;                ///< truly
-    Decider decider;                    ///< what that hangs on
-    bool may_differ = false;            ///< rounding may turn it round
-    bool has_bounds = true;             ///< and it is known by how much
+    std::optional<std::size_t>
+        behind;               ///< it had to be missed, or lie behind this one; none: it had to be met, or missed
+    bool is_met = false;      ///< truly
+    Decider decider;          ///< what that hangs on
+    bool may_differ = false;  ///< rounding may turn it round
+    bool has_bounds = true;   ///< and it is known by how much
     std::vector<std::string> undecided_by;  ///< by these formulas
 };
 

@@ -25,8 +25,8 @@ public:
                               : exact;
         };
         if (const auto* v = std::get_if<ParallelView>(&scene.view))
-            view_ = Parallel<Number>{{vector(v->corner), vector(v->right), vector(v->up)},
-                                     convert<Number>(v->direction)};
+            view_ =
+                Parallel<Number>{{vector(v->corner), vector(v->right), vector(v->up)}, convert<Number>(v->direction)};
         else {
             const auto& [eye, look_at, up, angle] = std::get<PinholeView>(scene.view);
             view_ = looking<Number>(convert<Number>(eye), convert<Number>(look_at), convert<Number>(up), Number(angle),

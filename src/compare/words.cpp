@@ -46,13 +46,16 @@ std::string decider_text(const Decider& decider) {
     return fmt::format("{} = {} ± {}", decider.what, value, bound_beside(value, decider.value, decider.error));
 }
 
-std::string times_text(double times) { return times < 1000 ? fmt::format("{:.2g}", times) : fmt::format("{:.1e}", times); }
+std::string times_text(double times) {
+    return times < 1000 ? fmt::format("{:.2g}", times) : fmt::format("{:.1e}", times);
+}
 
 std::string call_text(const Call& call) {
     const std::string number = call.decider.what.empty() ? std::string() : ": " + decider_text(call.decider);
     const double times = call.decider.times();
     if (!call.may_differ && times > 1 && std::isfinite(times))
-        return fmt::format("{}{}, {} times as far from 0 as rounding reaches", truth_of(call), number, times_text(times));
+        return fmt::format("{}{}, {} times as far from 0 as rounding reaches", truth_of(call), number,
+                           times_text(times));
     if (!call.may_differ) return truth_of(call) + number;
     if (!call.has_bounds) return fmt::format("{}, but numbers grow too large, or too small, to tell", truth_of(call));
     // The number is the first formula's; another one may be less sure.
@@ -78,6 +81,12 @@ std::string_view cause_text(Cause cause) {
 std::string theirs_text(const Theirs& theirs) {
     return fmt::format("rounding in {}, by the formulas {}", name_of_precision(theirs.precision),
                        enumerated(names_of(theirs.formulas)));
+}
+
+std::string float_text(std::size_t beyond_double, std::size_t beyond_float) {
+    return fmt::format(
+        "in float rounding may do {} of these {}: if that is what they compute in, write --precision float",
+        beyond_double - std::min(beyond_float, beyond_double), beyond_double);
 }
 
 nlohmann::ordered_json call_json(const Call& call) {

@@ -27,6 +27,9 @@ std::string times_text(double times);
 /// "rounding in float, by the formulas stable, textbook, pluecker and moeller-trumbore".
 std::string theirs_text(const Theirs& theirs);
 
+/// "in float rounding may do 12 of these 15 …".
+std::string float_text(std::size_t beyond_double, std::size_t beyond_float);
+
 nlohmann::ordered_json call_json(const Call& call);
 nlohmann::ordered_json theirs_json(const Theirs& theirs);
 

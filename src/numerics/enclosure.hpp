@@ -8,9 +8,9 @@
 
 namespace glassbox {
 
-/// Every number that a formula may come to in the scalar Real, however its operations are rounded: each to within a whole
-/// unit in the last place, so that fused operations and other modes of rounding are covered, too. The true number is
-/// among them. Inputs are the doubles of a scene, rounded to Real.
+/// Every number that a formula may come to in the scalar Real, however its operations are rounded: each to within a
+/// whole unit in the last place, so that fused operations and other modes of rounding are covered, too. The true number
+/// is among them. Inputs are the doubles of a scene, rounded to Real.
 ///
 /// Where operands and result are exact in Real, no rounding takes place, and none is assumed: what is 0 stays 0.
 template <class Real>

@@ -51,7 +51,8 @@ Image read_picture(const std::filesystem::path& file) {
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
         throw error_at({file.string()}, "this is neither a PNG nor a binary PPM picture; save it as one of them");
     if (std::int64_t{width} * height > max_pixels)
-        throw error_at({file.string()}, fmt::format("{}x{} pixels are too many; {} are allowed", width, height, max_pixels));
+        throw error_at({file.string()},
+                       fmt::format("{}x{} pixels are too many; {} are allowed", width, height, max_pixels));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, with_alpha), stbi_image_free);
     if (!pixels)

@@ -78,7 +78,8 @@ Ray<double> ray(std::string_view option, const std::string& typed) {
         if (const std::optional<double> value = read<double>(word); value && std::isfinite(*value))
             numbers.push_back(*value);
     if (words.size() != 6 || numbers.size() != 6)
-        throw wrong(option, fmt::format("'{}' must be OX,OY,OZ,DX,DY,DZ, six numbers: an origin and a direction", typed));
+        throw wrong(option,
+                    fmt::format("'{}' must be OX,OY,OZ,DX,DY,DZ, six numbers: an origin and a direction", typed));
     const Ray<double> ray{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
     if (!is_valid(ray)) throw wrong(option, fmt::format("'{}' has the direction 0,0,0; a ray runs somewhere", typed));
     return ray;
