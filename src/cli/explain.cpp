@@ -58,10 +58,11 @@ void ask(const Story& story) {
 }
 
 void run(const CLI::App& command, const ExplainRequest& request) {
-    if (request.pixel.empty() == request.ray.empty())
-        throw wrong("--pixel", request.ray.empty() ? "it is missing: X,Y, or --ray with a ray of your own"
-                                                   : "a pixel has a ray; leave out this or --ray");
-    const bool is_own = !request.ray.empty();
+    const bool has_pixel = command.get_option("--pixel")->count() > 0,
+               is_own = command.get_option("--ray")->count() > 0;
+    if (!has_pixel && !is_own)
+        throw WrongWord("--pixel is missing: X,Y, x to the right, y down; or --ray, with a ray of your own");
+    if (has_pixel && is_own) throw wrong("--pixel", "a pixel has a ray of its own; leave out this or --ray");
     const auto own = is_own ? std::optional(ray("--ray", request.ray)) : std::nullopt;
     const Scene scene = own ? seen_along(load(request), *own) : load(request);
     const auto [x, y] = own ? Pixel{} : pixel("--pixel", request.pixel, scene);

@@ -126,11 +126,13 @@ std::string to_text(const PicturesReport& report) {
              fmt::format("theirs is ours {}: {} of {} differ then", one.words, one.still_differ, one.compared));
     line("judged", "by " + theirs_text(report.theirs));
     const std::size_t beyond = all.count(Cause::mistake) + all.count(Cause::unknown);
-    if (report.beyond_float && *report.beyond_float < beyond) line("note", float_text(beyond, *report.beyond_float));
+    if (report.beyond_float && *report.beyond_float < (beyond + 1) / 2)
+        line("note", float_text(beyond, *report.beyond_float));
     const std::vector<const PixelDifference*> worst = worst_pixels(report);
     const PixelDifference* const first = first_pixel(all);
     if (first) line("first", fmt::format("pixel {},{}", first->pixel.x, first->pixel.y));
-    if (!worst.empty()) text += fmt::format("\nThe {}, worst first:\n", counted(worst.size(), "difference"));
+    if (worst.size() == 1) text += "\nThe worst:\n";
+    if (worst.size() > 1) text += fmt::format("\nThe {}, worst first:\n", counted(worst.size(), "difference"));
     for (const PixelDifference* one : worst) tell(text, report, *one);
     if (first && !worst.empty() && std::ranges::find(worst, first) == worst.end()) {
         text += "\nThe first:\n";

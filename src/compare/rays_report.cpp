@@ -23,7 +23,7 @@ constexpr NameTable<Wrong, wrong_count> wrongs{{
     {"hit", Wrong::hit, "wrong hit"},
     {"miss", Wrong::miss, "wrong miss"},
     {"surface", Wrong::surface, "wrong surface"},
-    {"t", Wrong::t, "wrong t"},
+    {"t", Wrong::t, "another t"},
 }};
 
 constexpr std::string_view answer_word(Shot::Answer answer) {
@@ -144,7 +144,8 @@ std::string to_text(const RaysReport& report) {
     if (most > 0) line("t", fmt::format("{} from the certified one at most", rounded_up(most, 3)));
     line("judged", "by " + theirs_text(report.theirs));
     const std::size_t beyond = all.count(Cause::mistake) + all.count(Cause::unknown);
-    if (report.beyond_float && *report.beyond_float < beyond) line("note", float_text(beyond, *report.beyond_float));
+    if (report.beyond_float && *report.beyond_float < (beyond + 1) / 2)
+        line("note", float_text(beyond, *report.beyond_float));
     if (report.claims.is_shortened(report.theirs.precision == TheirPrecision::float_ ? digits_of<float>
                                                                                      : digits_of<double>))
         line("note", fmt::format("their t have {} digits at most; what half of the last one explains is the writing's. "
@@ -153,7 +154,8 @@ std::string to_text(const RaysReport& report) {
     const std::vector<const RayDifference*> worst = worst_of(report);
     const RayDifference* const first = first_of(report);
     if (first) line("first", fmt::format("ray {}", first->ray));
-    if (!worst.empty()) text += fmt::format("\nThe {}, worst first:\n", counted(worst.size(), "difference"));
+    if (worst.size() == 1) text += "\nThe worst:\n";
+    if (worst.size() > 1) text += fmt::format("\nThe {}, worst first:\n", counted(worst.size(), "difference"));
     for (const RayDifference* one : worst) tell(text, report, *one);
     if (first && !worst.empty() && std::ranges::find(worst, first) == worst.end()) {
         text += "\nThe first:\n";

@@ -68,8 +68,8 @@ void write_ppm(const std::filesystem::path& path, const Image& image) {
 
 TEST_CASE("what is true does not differ") {
     const Workplace folder;
-    CHECK(folder.judged("0.25,0.5,10,0,0,-1", "hit,0,9.170844322753857") == "");  // 10 − √(1 − 5/16), rounded
-    CHECK(folder.judged("1.5,1,10,0,0,-1", "hit,2,15") == "");                    // of equals the one listed last
+    CHECK(folder.judged("0.25,0.5,10,0,0,-1", "hit,0,9.17084380241115") == "");  // 10 − √(1 − 5/16), rounded
+    CHECK(folder.judged("1.5,1,10,0,0,-1", "hit,2,15") == "");                   // of equals the one listed last
     CHECK(folder.judged("9,9,9,0,0,-1", "miss,,") == "");
     CHECK(folder.judged("0,0,9,0,0,0", "invalid,,") == "");
     CHECK(folder.judged("1.5,1,10,0,0,-1", "hit,,15") == "");
@@ -97,8 +97,8 @@ TEST_CASE("mistakes: wrong hit, miss, surface, t, validity") {
 
 TEST_CASE("a t may be off by a few units in its last place, and no more") {
     const Workplace folder;
-    const std::string ray = "0.3,0.5,10,0.1,0,-1";
-    const double v = 0.3 * 0.1 - 10, a = 0.1 * 0.1 + 1, k = 0.3 * 0.3 + 0.5 * 0.5 + 100 - 1;
+    const std::string ray = "0.3,0.5,10,0.01,0,-1";
+    const double v = 0.3 * 0.01 - 10, a = 0.01 * 0.01 + 1, k = 0.3 * 0.3 + 0.5 * 0.5 + 100 - 1;
     const double t = (-v - std::sqrt(v * v - a * k)) / a;  // within some 1e-14 of the true one
     CHECK(folder.judged(ray, "hit,0," + written(t + 0x1p-46)) == "t rounding");
     CHECK(folder.judged(ray, "hit,0," + written(t + 1e-7)) == "t mistake");
@@ -110,15 +110,16 @@ TEST_CASE("a t may be off by a few units in its last place, and no more") {
 
 TEST_CASE("a tangent in whole numbers is no matter of rounding; one that is not, is") {
     const Workplace folder;
-    // 1² = 1: Δ is 0, and every program finds it so.
-    CHECK(folder.judged("1,0,5,0,0,-1", "miss,,") == "miss mistake");
-    // x² + y² is 1 + 2⁻⁵²/5 or so: misses by less than rounding. 0.6 and 0.8 as doubles are a little below them, and
-    // above.
-    CHECK(folder.judged("0.6,0.8,5,0,0,-1", "miss,,") != "miss mistake");
-    CHECK(folder.judged("0.6,0.8,5,0,0,-1", "hit,0,5") != "hit mistake");
+    // (−1)² = 1: Δ is 0, and every program finds it so. The triangles lie elsewhere.
+    CHECK(folder.judged("-1,0,5,0,0,-1", "hit,0,5") == "");
+    CHECK(folder.judged("-1,0,5,0,0,-1", "miss,,") == "miss mistake");
+    // 0.6 as a double is 2.2e-17 too small, 0.8 4.4e-17 too large: their squares add up to 1 − 2·0.6·2.2e-17 +
+    // 2·0.8·4.4e-17, more than 1 by less than half a unit of its last place.
+    CHECK(folder.judged("-0.6,-0.8,5,0,0,-1", "miss,,") == "");
+    CHECK(folder.judged("-0.6,-0.8,5,0,0,-1", "hit,0,5") == "hit rounding");
     // A hair beyond: for double that is far.
-    CHECK(folder.judged("1.00000001,0,5,0,0,-1", "hit,0,5") == "hit mistake");
-    CHECK(folder.judged("1.00000001,0,5,0,0,-1", "hit,0,5", {"--precision", "float"}) == "hit rounding");
+    CHECK(folder.judged("-1.00000001,0,5,0,0,-1", "hit,0,5") == "hit mistake");
+    CHECK(folder.judged("-1.00000001,0,5,0,0,-1", "hit,0,5", {"--precision", "float"}) == "hit rounding");
 }
 
 TEST_CASE("each call says how near it was: value, bound and how many times the one is the other") {
@@ -251,8 +252,11 @@ TEST_CASE("a hole is told as such, with what is truly met, and how surely") {
     CHECK(one["shows"] == "background");
     CHECK(one["cause"] == "mistake");
     CHECK(one["surface"] == 0);
-    CHECK(one["calls"][0]["what"] == "Δ");
-    CHECK(one["calls"][0]["value"].get<double>() == doctest::Approx(6.2 * 6.2 - 0.3 * 0.3 - 0.1 * 0.1));
+    // Δ = 6.2² − 0.3² − 0.1² and t = 9 − √Δ are both surely positive; what is less sure is told.
+    const double delta = 6.2 * 6.2 - 0.3 * 0.3 - 0.1 * 0.1;
+    const json& call = one["calls"][0];
+    CHECK(call["value"].get<double>() == doctest::Approx(call["what"] == "Δ" ? delta : 9 - std::sqrt(delta)));
+    CHECK(call["times"].get<double>() > 1e12);
 }
 
 TEST_CASE("a byte cut instead of rounded is rounding; two bytes are not") {
