@@ -141,7 +141,7 @@ _glassbox() {
     '') ;;
     -o | --out) _glassbox_offer_files "$cur" .png .ppm .csv .exr .html ;;
     --screenshot) _glassbox_offer_files "$cur" .png .ppm ;;
-    --rays) _glassbox_offer_files "$cur" .csv ;;
+    --rays | --hits) _glassbox_offer_files "$cur" .csv ;;
     --script) _glassbox_offer_files "$cur" .script ;;
     --folder) _glassbox_offer_files "$cur" ;;
     --mine) _glassbox_offer "$(_glassbox_lessons "$share"; echo all)" "$cur" ;;
@@ -169,7 +169,8 @@ _glassbox() {
     case "${command[*]}:${#words[@]}" in
     :0) ! _glassbox_is_script "$(type -P -- "${COMP_WORDS[0]}")" || _glassbox_offer test "$cur" ;;
     :1) ! [[ ${words[0]} == test ]] || _glassbox_offer everything "$cur" ;;
-    render:0 | measure:0 | shoot:0 | explain:0 | view:0 | scene:0 | bench:*) _glassbox_offer_scenes "$share" "$cur" ;;
+    render:0 | measure:0 | shoot:0 | compare:0 | explain:0 | view:0 | scene:0 | bench:*) _glassbox_offer_scenes "$share" "$cur" ;;
+    compare:1) _glassbox_offer_files "$cur" .png .ppm ;;
     again:0) _glassbox_offer_files "$cur" .png .ppm .exr ;;
     'learn mistake:1') _glassbox_offer "$(_glassbox_mistakes "$program" "${words[@]}")" "$cur" ;;
     'learn report:'*) _glassbox_offer_files "$cur" ;;

@@ -152,4 +152,13 @@ SceneWords scene_words(const Request& request) {
     return {scene_path(request.scene), request.size, request.setup, all_typed(request)};
 }
 
+SceneWords words_of_own_rays(const Request& request) {
+    SceneWords words = scene_words(request);
+    words.size.reset();
+    std::erase_if(words.told, [](const Parameter* parameter) {
+        return parameter->name == std::string_view("turn") || parameter->name == std::string_view("accumulated");
+    });
+    return words;
+}
+
 }  // namespace glassbox

@@ -39,4 +39,7 @@ Scene load(const Request& request);
 /// How a command line asks for it again. Throws Error if there is no such scene.
 SceneWords scene_words(const Request& request);
 
+/// The same where rays of one's own are asked about: without what makes pixels into rays.
+SceneWords words_of_own_rays(const Request& request);
+
 }  // namespace glassbox

@@ -15,6 +15,7 @@ struct Session {
 void add_render(CLI::App& program, Session& session);
 void add_measure(CLI::App& program, Session& session);
 void add_shoot(CLI::App& program, Session& session);
+void add_compare(CLI::App& program, Session& session);
 void add_bench(CLI::App& program, Session& session);
 void add_explain(CLI::App& program);
 void add_again(CLI::App& program);

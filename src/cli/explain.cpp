@@ -22,9 +22,25 @@ namespace glassbox {
 namespace {
 
 struct ExplainRequest : Request {
-    std::string pixel;
+    std::string pixel, ray;
     bool json = false, predict = false;
 };
+
+/// The scene seen as one pixel, whose ray this is, to the bit; nothing turns it, and no border hides it.
+Scene seen_along(Scene scene, const Ray<double>& ray) {
+    scene.width = scene.height = 1;
+    scene.border.reset();
+    scene.view = ParallelView{.corner = ray.P, .right = {}, .up = {}, .direction = ray.D};
+    return scene;
+}
+
+/// What was typed about how pixels become rays.
+std::vector<std::string> of_no_use_to_a_ray(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const char* name : {"--size", "--turn", "--accumulated"})
+        if (command.get_option(name)->count() > 0) names.push_back(fmt::format("{} (only for pixels)", name));
+    return names;
+}
 
 /// Asks a reader at the terminal. Answers that come from elsewhere are shown, as a terminal shows what is typed.
 void ask(const Story& story) {
@@ -40,12 +56,21 @@ void ask(const Story& story) {
 }
 
 void run(const CLI::App& command, const ExplainRequest& request) {
-    const Scene scene = load(request);
-    const auto [x, y] = pixel("--pixel", request.pixel, scene);
-    note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
-    Story story = explain(scene, request.setup.options, x, y);
+    const bool has_pixel = command.get_option("--pixel")->count() > 0,
+               is_own = command.get_option("--ray")->count() > 0;
+    if (!has_pixel && !is_own)
+        throw WrongWord("--pixel is missing: X,Y, x to the right, y down; or --ray, with a ray of your own");
+    if (has_pixel && is_own) throw wrong("--pixel", "a pixel has a ray of its own; leave out this or --ray");
+    const auto own = is_own ? std::optional(ray("--ray", request.ray)) : std::nullopt;
+    const Scene scene = own ? seen_along(load(request), *own) : load(request);
+    const auto [x, y] = own ? Pixel{} : pixel("--pixel", request.pixel, scene);
+    Options options = request.setup.options;
+    note(command, "not used", own ? of_no_use_to_a_ray(command) : unused_options(command, Rays::of_a_picture, options));
+    if (own) options.turns.clear();
+    Story story = explain(scene, options, x, y);
     if (request.predict) return ask(story);
-    story.command = explain_command(scene_words(request), {x, y});
+    story.command =
+        own ? explain_command(words_of_own_rays(request), *own) : explain_command(scene_words(request), {x, y});
     print_text(request.json ? to_json(story) : to_text(story));
 }
 
@@ -56,8 +81,9 @@ void add_explain(CLI::App& program) {
     CLI::App* command = program.add_subcommand("explain", "Tell how one pixel came about, number by number");
     add_scene_options(*command, *request);
     command->add_option("--pixel", request->pixel, "the pixel: x to the right, y down, (0,0) is the top-left one")
-        ->type_name("X,Y")
-        ->required();
+        ->type_name("X,Y");
+    command->add_option("--ray", request->ray, "or a ray of your own: its origin and its direction")
+        ->type_name("OX,OY,OZ,DX,DY,DZ");
     CLI::Option* json =
         command->add_flag("--json", request->json, "as JSON, with all digits and each operation (docs/explain.md)");
     command

@@ -26,6 +26,7 @@ void add_commands(CLI::App& program, glassbox::Session& session) {
     glassbox::add_explain(program);
     glassbox::add_again(program);
     glassbox::add_view(program, session);
+    glassbox::add_compare(program, session);
     glassbox::add_scene(program);
     glassbox::add_learn(program, session);
     glassbox::add_bench(program, session);

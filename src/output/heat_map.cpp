@@ -7,32 +7,17 @@
 
 #include "output/coloring.hpp"
 #include "output/legend.hpp"
+#include "output/sheet.hpp"
 
 namespace glassbox {
 namespace {
-
-void paste(Image& onto, const Image& picture, int x, int y) {
-    for (int row = 0; row < picture.height; ++row)
-        std::copy_n(&picture.at(0, row), picture.width, &onto.at(x, y + row));
-}
-
-Image enlarged(const Image& image, int factor) {
-    Image large(image.width * factor, image.height * factor);
-    for (int y = 0; y < large.height; ++y)
-        for (int x = 0; x < large.width; ++x) large.at(x, y) = image.at(x / factor, y / factor);
-    return large;
-}
 
 /// A measurement's part of the sheet: the title above, the picture, the legend below.
 struct Panel {
     Image title, picture, legend;
 };
 
-/// The enlargement of a channel: small ones are drawn in whole multiples, so that a pixel stays a square.
-int enlargement(const Channel& channel) {
-    const int longer = std::max({channel.width, channel.height, 1});
-    return longer < 200 ? (200 + longer - 1) / longer : 1;
-}
+int enlargement(const Channel& channel) { return glassbox::enlargement(channel.width, channel.height); }
 
 /// A text size legible from the back row: about a 24th of the picture's side, and larger on a sheet with many panels,
 /// which is shown smaller.

@@ -35,6 +35,11 @@ std::string explain_command(const SceneWords& scene, Pixel pixel) {
     return begun("explain", scene) + fmt::format(" --pixel {},{}", pixel.x, pixel.y);
 }
 
+std::string explain_command(const SceneWords& scene, const Ray<double>& ray) {
+    const auto& [P, D] = ray;
+    return begun("explain", scene) + fmt::format(" --ray {},{},{},{},{},{}", P.x, P.y, P.z, D.x, D.y, D.z);
+}
+
 std::string render_command(const SceneWords& scene, std::string_view extension) {
     return begun("render", scene) + " -o " + file_word(usual_name(scene.file, {}, extension));
 }

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <ray.hpp>
+
 #include "render/parameters.hpp"
 #include "render/pixel.hpp"
 
@@ -28,6 +30,9 @@ std::vector<const Parameter*> differing(const Setup& setup, const Setup& origina
 
 /// "glassbox explain room --scalar float --pixel 3,4"
 std::string explain_command(const SceneWords& scene, Pixel pixel);
+
+/// "glassbox explain room --scalar float --ray 0,0,0,1,0,0"
+std::string explain_command(const SceneWords& scene, const Ray<double>& ray);
 
 /// "glassbox render room --turn z:10 -o room.png", into the current folder; `extension` is ".png".
 std::string render_command(const SceneWords& scene, std::string_view extension);

@@ -71,6 +71,20 @@ Vec3<double> direction(std::string_view option, const std::string& typed) {
     return v;
 }
 
+Ray<double> ray(std::string_view option, const std::string& typed) {
+    std::vector<double> numbers;
+    const std::vector<std::string> words = between_commas(typed);
+    for (const std::string& word : words)
+        if (const std::optional<double> value = read<double>(word); value && std::isfinite(*value))
+            numbers.push_back(*value);
+    if (words.size() != 6 || numbers.size() != 6)
+        throw wrong(option,
+                    fmt::format("'{}' must be OX,OY,OZ,DX,DY,DZ, six numbers: an origin and a direction", typed));
+    const Ray<double> ray{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+    if (!is_valid(ray)) throw wrong(option, fmt::format("'{}' has the direction 0,0,0; a ray runs somewhere", typed));
+    return ray;
+}
+
 std::pair<int, int> size(std::string_view option, const std::string& typed) {
     const std::size_t cross = typed.find_first_of("xX");
     const auto side = [&](std::size_t from, std::size_t to) { return read<long long>(typed.substr(from, to)); };

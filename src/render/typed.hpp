@@ -39,6 +39,9 @@ double factor(std::string_view option, const std::string& typed);
 /// "X,Y,Z", a vector that has a direction.
 Vec3<double> direction(std::string_view option, const std::string& typed);
 
+/// "OX,OY,OZ,DX,DY,DZ", a ray that can be traced.
+Ray<double> ray(std::string_view option, const std::string& typed);
+
 /// Width and height: "800x600".
 std::pair<int, int> size(std::string_view option, const std::string& typed);
 

@@ -10,9 +10,10 @@ BEGIN {
     allow("explain", "render engine scene numerics")
     allow("viewer", "learn explain output render engine scene numerics")
     allow("learn", "explain output render scene numerics")
+    allow("compare", "explain output render engine scene numerics")
     allow("library", "render engine scene numerics")
     allow("bench", "render engine scene numerics")
-    allow("cli", "bench learn viewer explain output render engine scene numerics")
+    allow("cli", "bench compare learn viewer explain output render engine scene numerics")
 
     for (i = 1; i < ARGC; i++)
         if (split(ARGV[i], part, "/") == 4 && part[1] "/" part[2] == "src/core") stage_of[part[4]] = part[3] + 0
