@@ -14,6 +14,7 @@ void view(ViewerState state, std::optional<WindowSize> size, const std::stop_tok
     const std::filesystem::path kept = settings_file();
     const Settings before = read_settings(kept);
     remember(state, before);
+    state.pins_at_first = !state.pinned && !state.looked_at;
     remember_recent(state.scene_menu, state.file);
     Window window("Glassbox", size.value_or(WindowSize{before.window_width, before.window_height}));
     Interface interface(std::move(state), window.scale(), [] { Window::wake(); });

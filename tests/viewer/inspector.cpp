@@ -324,3 +324,23 @@ TEST_CASE("powers of ten, and angles") {
     CHECK(angle(1 + 1e-15) == 0);
     CHECK(angle(-1 - 1e-15) == doctest::Approx(180));
 }
+
+TEST_CASE("two pixels' numbers are subtracted; headings write theirs in the form that is chosen") {
+    const Scene scene = read_scene(SCENES "/levental-2014.toml");
+    const auto parts_of = [&](int x, int y) { return inspector(explain(scene, setup_of(scene).options, x, y)); };
+    const auto find = [](const std::vector<InspectorPart>& parts, const std::string& title) {
+        for (const InspectorPart& part : parts)
+            if (part.title == title) return part;
+        FAIL("there is no part called " << title);
+        return InspectorPart{};
+    };
+    // Rays start at (500, column, row): from column 350 to 353 and row 350 to 346 the start moves by (0, 3, −4).
+    const InspectorPart one = find(parts_of(350, 149), "The ray"), other = find(parts_of(353, 153), "The ray");
+    CHECK(differences(one.rows[0], other.rows[0]) == "0, +3, -4");
+    CHECK(differences(one.rows[0], one.rows[0]) == "");
+    CHECK(differences(one.rows[0], InspectorRow{}) == "");
+    // Surface 0 is met at t = 350 there, which in hexadecimal is 0x1.5e · 2⁸.
+    const InspectorPart sphere = find(parts_of(350, 149), "The surfaces").parts.front();
+    CHECK(note(sphere, NumberForm::brief).find("t = 350") != std::string::npos);
+    CHECK(note(sphere, NumberForm::hex).find("t = 0x1.5ep+8") != std::string::npos);
+}

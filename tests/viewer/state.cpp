@@ -7,6 +7,7 @@
 
 #include "output/folder.hpp"
 #include "render/render.hpp"
+#include "viewer/model/state/first_pin.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/tour.hpp"
 
@@ -290,4 +291,28 @@ TEST_CASE("what the mouse does, keys do: pin, look from elsewhere, change pages 
     press(Key::escape);
     CHECK_FALSE(state.keys_work_buttons);
     CHECK(state.pinned);
+}
+
+TEST_CASE("at first the pixel nearest to the middle that shows something is pinned, once") {
+    const Folder folder;
+    write(folder / "s.toml", small);
+    ViewerState state = opened(folder / "s.toml");
+    auto image = std::make_shared<Image>(20, 10);
+    // Twice the middle is (20, 10) in pixel corners: (5, 4) is 2·5 + 1 − 20 = −9 and −1 away, (16, 4) 13 and −1, and
+    // (10, 0) is on the border.
+    for (const Pixel lit : {Pixel{5, 4}, Pixel{16, 4}, Pixel{10, 0}}) image->at(lit.x, lit.y) = {9, 9, 9};
+    Results results;
+    results.picture = {image, 1};
+    pin_at_first(state, results);
+    CHECK_FALSE(state.pinned);  // nobody asked
+    state.pins_at_first = true;
+    results.busy = true;
+    pin_at_first(state, results);
+    CHECK_FALSE(state.pinned);  // the picture is not whole yet
+    results.busy = false;
+    pin_at_first(state, results);
+    CHECK(state.pinned == Pixel{5, 4});
+    pin(state, std::nullopt);
+    pin_at_first(state, results);
+    CHECK_FALSE(state.pinned);
 }

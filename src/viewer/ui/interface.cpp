@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viewer/model/space/flight.hpp"
+#include "viewer/model/state/first_pin.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -94,6 +95,7 @@ double Interface::draw(const Input& input) {
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
     background_.update(state_, results_);
+    pin_at_first(state_, results_);
     follow_story(state_, results_);
     follow_steps(state_, results_);
     follow_saved(state_, results_);

@@ -167,6 +167,7 @@ void open_scene(ViewerState& state, const fs::path& file) {
     if (!state.file_error.empty()) return;
     remember_recent(state.scene_menu, state.file);
     state.scene_menu.shown = false;
+    state.pins_at_first = true;
 }
 
 void open_chosen(ViewerState& state) {

@@ -124,6 +124,7 @@ struct ViewerState {
     Point area;  ///< the size of the place where the picture is shown, as last drawn
     Fit fit = Fit::whole_multiple;
     std::optional<Pixel> hovered, pinned, compared;
+    bool pins_at_first = false;  ///< a pixel is pinned as soon as the picture is there
 
     Overlay overlay;
     OverlayPage overlay_page;

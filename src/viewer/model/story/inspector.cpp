@@ -200,7 +200,10 @@ InspectorPart surface_part(const Story& story, std::size_t i) {
     result.open = surface.fate == Fate::nearest;
     result.surface = i;
     std::visit([&](const auto& test) { add_test(result, path, surface, test); }, surface.test);
-    if (surface.t) result.rows.push_back(row("t", path + "/t", *surface.t));
+    if (surface.t) {
+        result.rows.push_back(row("t", path + "/t", *surface.t));
+        result.in_note = inspected(path + "/t", *surface.t);
+    }
     result.rows.push_back(row("colour", path + "/color", surface.color));
     return result;
 }
@@ -244,6 +247,7 @@ InspectorPart term_part(const char* title, const std::string& path, const char* 
                                                    cut ? triple(term.bytes) : triple(term.product)));
     result.open = false;
     result.color = term.bytes;
+    result.in_note = plain(path + "/factor", term.factor.value);
     result.rows.push_back(row(k_name, {plain(path + "/k", term.k)}));
     result.rows.push_back(row("factor", path + "/factor", term.factor, factor_name));
     result.rows.push_back(row("× colour", plains(path + "/color", term.color)));
@@ -346,6 +350,28 @@ WithBound written_with_bound(const InspectedNumber& number, NumberForm form) {
     if (form == NumberForm::brief) return with_bound(n);
     // Hexadecimal digits are the double itself.
     return {std::move(value), n.error == 0 ? "exact" : std::isfinite(n.error) ? "± " + hex(n.error) : "± unknown"};
+}
+
+std::string note(const InspectorPart& part, NumberForm form) {
+    if (!part.in_note || form == NumberForm::brief) return part.note;
+    const std::string brief = written_with_bound(*part.in_note, NumberForm::brief).value;
+    std::string text = part.note;
+    if (const std::size_t at = text.find(brief); at != std::string::npos)
+        text.replace(at, brief.size(), written(*part.in_note, form));
+    return text;
+}
+
+std::string differences(const InspectorRow& first, const InspectorRow& second) {
+    if (first.numbers.size() != second.numbers.size()) return {};
+    std::string text;
+    bool differ = false;
+    for (std::size_t i = 0; i < first.numbers.size(); ++i) {
+        const double difference = second.numbers[i].value - first.numbers[i].value;
+        if (!std::isfinite(difference)) return {};
+        differ = differ || difference != 0;
+        text += fmt::format("{}{}{}", i == 0 ? "" : ", ", difference > 0 ? "+" : "", short_number(difference));
+    }
+    return differ ? text : std::string();
 }
 
 std::vector<NumberFact> facts(const InspectedNumber& number) {

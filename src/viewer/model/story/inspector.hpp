@@ -41,10 +41,11 @@ enum class Diagram {
 
 /// A part of the inspector with a heading, which can be collapsed.
 struct InspectorPart {
-    std::string title;                           ///< no two parts at one place have the same
-    std::string note;                            ///< beside the title, in words
-    std::optional<story::Mark> mark = {};        ///< whether what was computed is true
-    std::optional<InspectedNumber> number = {};  ///< that the title names
+    std::string title;                            ///< no two parts at one place have the same
+    std::string note;                             ///< beside the title, in words
+    std::optional<story::Mark> mark = {};         ///< whether what was computed is true
+    std::optional<InspectedNumber> number = {};   ///< that the title names
+    std::optional<InspectedNumber> in_note = {};  ///< that the note names, briefly
     std::optional<Rgb> color = {};
     bool open = true;  ///< at first
     Diagram drawing = Diagram::none;
@@ -62,6 +63,13 @@ std::string written(const InspectedNumber& number, NumberForm form);
 /// Returns the value and its bound as they are written side by side: "2500" and "± 3.1e-10". The bound is empty if
 /// there is none.
 WithBound written_with_bound(const InspectedNumber& number, NumberForm form);
+
+/// Returns the part's note with its number in that form.
+std::string note(const InspectorPart& part, NumberForm form);
+
+/// Returns by how much the second row's numbers are greater than the first's, each difference rounded to a double and
+/// written with six digits; empty if the rows have no numbers that can be subtracted, or all are equal.
+std::string differences(const InspectorRow& first, const InspectorRow& second);
 
 /// Everything that is known about a number, with all digits.
 struct NumberFact {

@@ -122,7 +122,8 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
     if (!told.comparing()) {
         if (any.mark) draw_mark(palette, *any.mark);
         if (any.color) draw_swatch(palette, *any.color);
-        draw_wrapped(palette.text, any.title + (any.note.empty() ? "" : ": " + any.note));
+        const std::string its_note = note(any, told.frame.state.number_form);
+        draw_wrapped(palette.text, any.title + (its_note.empty() ? "" : ": " + its_note));
         return;
     }
     ImGui::BeginGroup();
@@ -138,7 +139,7 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
             continue;
         }
         if (one->mark) draw_mark(palette, *one->mark);
-        draw_wrapped(palette.text, one->note);
+        draw_wrapped(palette.text, note(*one, told.frame.state.number_form));
     }
     ImGui::EndGroup();
 }

@@ -112,6 +112,13 @@ void draw_cell(const Frame& frame, const InspectorRow* row, bool different) {
     draw_value(frame, *row, different);
 }
 
+/// Draws by how much the second pixel's numbers are greater, in the column of its own that there is, or below.
+void draw_differences(const Frame& frame, const std::string& text, bool below) {
+    if (!below) ImGui::TableNextColumn();
+    if (text.empty()) return;
+    draw_wrapped(frame.palette.faint_text, (below ? "◆ − ● = " : "") + text);
+}
+
 /// Labels take as much width as they need, but less than half.
 float label_width(std::span<const Pair<InspectorRow>> rows) {
     float width = 0;
@@ -140,6 +147,21 @@ void draw_swatch(const Palette& palette, Rgb color) {
     ImGui::SameLine(0, side * .3f);
 }
 
+namespace {
+
+/// Which column is which pixel's.
+void draw_headings(const Frame& frame) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    for (const auto& [title, color] :
+         {std::pair("●", frame.palette.accent), {"◆", frame.palette.second}, {"◆ − ●", frame.palette.faint_text}}) {
+        ImGui::TableNextColumn();
+        draw_wrapped(color, title);
+    }
+}
+
+}  // namespace
+
 bool one_below_the_other() { return ImGui::GetContentRegionAvail().x < 30 * ImGui::GetFontSize(); }
 
 void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, bool comparing) {
@@ -148,10 +170,14 @@ void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, boo
     const float labels = label_width(rows);
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings |
                                       ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
-    if (!ImGui::BeginTable("rows", below ? 1 : comparing ? 3 : 2, flags)) return;
+    if (!ImGui::BeginTable("rows", below ? 1 : comparing ? 4 : 2, flags)) return;
     if (!below) ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, labels);
     ImGui::TableSetupColumn("first", ImGuiTableColumnFlags_WidthStretch);
-    if (comparing && !below) ImGui::TableSetupColumn("second", ImGuiTableColumnFlags_WidthStretch);
+    if (comparing && !below) {
+        ImGui::TableSetupColumn("second", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("◆ − ●", ImGuiTableColumnFlags_WidthStretch, .7f);
+        draw_headings(frame);
+    }
     for (const auto& [first, second] : rows) {
         const std::string& label = (first ? first : second)->label;
         const bool different = comparing && !(first && second && same(*first, *second));
@@ -176,6 +202,7 @@ void draw_rows(const Frame& frame, std::span<const Pair<InspectorRow>> rows, boo
                 draw_cell(frame, row, different && row == second);
             }
         }
+        if (different && first && second) draw_differences(frame, differences(*first, *second), below);
         ImGui::PopID();
     }
     ImGui::EndTable();
