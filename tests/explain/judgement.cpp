@@ -112,9 +112,11 @@ TEST_CASE("the verdict is the measurement's, the truth is what certified finds, 
         {"inside", 12, 12, with(Scalar::double_, Pluecker{}, Textbook{})},
     };
     int proven = 0, open = 0, wrong = 0;
-    for (const auto& [name, width, height, options] : all) {
-        CAPTURE(name);
-        const Scene scene = resized(read(name), width, height);
+    for (const auto& each : all) {
+        CAPTURE(each.scene);
+        const Options& options = each.options;
+        const int width = each.width, height = each.height;
+        const Scene scene = resized(read(each.scene), width, height);
         const Measurement* const what = find_measurement("verdict");
         const Channel verdicts = measure(scene, options, std::span(&what, 1), {}).at(0).at(0);
         Job job;
