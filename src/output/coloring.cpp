@@ -24,9 +24,10 @@ std::vector<double> percentiles_of(const Channel& channel) {
     return result;
 }
 
-/// Where value lies from `low` to `high`. Scaled to about 1 first: 1e308 - -1e308 would be infinite, and 5e-324 has no
-/// half.
+/// Where value lies from `low` to `high`.
 double share(double low, double high, double value) {
+    if (const double width = high - low; std::isnormal(width)) return (value - low) / width;
+    // Scaled to about 1 first: 1e308 - -1e308 is infinite, and 5e-324 has no half.
     const int e = -std::max(std::ilogb(low), std::ilogb(high)) - 1;
     const double from = std::ldexp(low, e);
     return (std::ldexp(value, e) - from) / (std::ldexp(high, e) - from);

@@ -99,3 +99,13 @@ TEST_CASE("what has no value anywhere is noted in one line, with the reason, and
     CHECK(run_glassbox({"measure", "empty.toml", "--what", "hits,depth", "-o", "m.csv"}, {.folder = folder.path}).err ==
           none + "depth (no ray meets a surface)\n");
 }
+
+TEST_CASE("--scale: another spacing of the colours makes another picture; a wrong one is refused") {
+    const Workplace folder;
+    for (const char* scale : {"linear", "log", "symlog", "percentile"})
+        CHECK(folder.measure("depth,verdict,normal", std::string(scale) + ".png", {"--scale", scale}).status == 0);
+    CHECK(content(folder / "linear.png") != content(folder / "percentile.png"));
+    const Ran wrong = folder.measure("depth", "m.png", {"--scale", "logarithmic"});
+    CHECK(wrong.status == 2);
+    CHECK(wrong.err.find("--scale: 'logarithmic' is not known; ") != std::string::npos);
+}

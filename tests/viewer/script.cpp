@@ -103,3 +103,25 @@ TEST_CASE("a script steps as a debugger does, and is told what cannot be") {
     refused("pin none\nfeeding on", {"wrong.script:6:1: error: ", "no pixel is pinned"});
     refused("pin 5,5\nnudge P.y:1", {"wrong.script:6:1: error: ", "no surface to test"});
 }
+
+TEST_CASE("a script shows a scene fail, finds the worst pixel and brushes values; what it cannot is told") {
+    const test::Folder folder;
+    const auto run = [&](const std::string& text) {
+        test::write(folder / "a.script", text);
+        return test::run_glassbox({"view", "--script", "a.script"}, {.folder = folder.path});
+    };
+    CHECK(run("open edges\nsize 500x400\nfail\nkey .\nzoom 60\nset scale percentile\nset legend off\nscreenshot a.png\n"
+              "overlay margin\nset scale symlog\nset legend on\nbrush -4 2\nscreenshot b.png\n")
+              .status == 0);
+    CHECK(std::filesystem::exists(folder / "b.png"));
+    const auto says = [&](const std::string& text, const std::string& error) {
+        const test::Ran ran = run(text);
+        CAPTURE(ran.err);
+        CHECK(ran.status == 1);
+        CHECK(ran.err.find(error) != std::string::npos);
+    };
+    says("open sphere\nfail\n", "a.script:2:1: error: fail: the scene does not say with what it fails");
+    says("brush 0 1\n", "a.script:1:1: error: brush: nothing is laid over; put 'overlay NAME' before");
+    says("brush 2 1\n", "a.script:1:1: error: brush: LOW must not be above HIGH, and 2 is above 1");
+    says("set scale lgo\n", "a.script:1:1: error: scale: 'lgo' is not known; did you mean 'log'?");
+}

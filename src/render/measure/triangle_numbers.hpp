@@ -32,10 +32,12 @@ public:
         const double along = (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) * (1 + 0x1p-16);  // rounded, too
         const double underflow = std::ldexp(1.0, tiny - 2 * length_) * along + std::ldexp(2.0, tiny - length());
         bounds = {bound(sizes.a, underflow), bound(sizes.b, underflow), bound(sizes.c, underflow)};
+        is_tiny = !(8 * u * std::max({sizes.a, sizes.b, sizes.c}) > underflow);
     }
 
     Sides<Real> values;  ///< not scaled
     Sides<double> sides, sizes, bounds;
+    bool is_tiny;  ///< more may be lost by underflow than by rounding
 
     /// Another number in length² |D|.
     double scaled(Real number) const { return scaled(number, length()); }
@@ -83,7 +85,7 @@ struct TriangleNumbers {
     bool tested = false;         ///< at least one triangle was tested
     /// The triangles whose deciding side product came out as 0, as seen from the ray's start.
     std::vector<Triangle<long double>> zeros = {};
-    double margin_of_others = no_value;  ///< the margin without these
+    double margin_of_others = no_value;  ///< the margin of all products but these zeros
 
     /// Adds one triangle as seen from the ray's start, and the ray's direction.
     template <class Real>
@@ -108,10 +110,10 @@ private:
 
     template <class Real>
     void take_certainty(double certainty, const ScaledSides<Real>& s, const Triangle<Real>& seen) {
-        const bool is_zero = certainty == 0 && std::isfinite(s.bounds.a + s.bounds.b + s.bounds.c) &&
+        const bool is_zero = certainty == 0 && !s.is_tiny && std::isfinite(s.bounds.a + s.bounds.b + s.bounds.c) &&
                              std::isfinite(s.sides.a + s.sides.b + s.sides.c);
         if (is_zero) zeros.push_back(convert<long double>(seen));
-        else keep(margin_of_others, std::log10(certainty), std::fmin);
+        keep(margin_of_others, std::log10(is_zero ? certainty_of_nonzero(s.sides, s.bounds) : certainty), std::fmin);
         keep(margin, std::log10(certainty), std::fmin);
     }
 
@@ -131,6 +133,14 @@ private:
         const double least = std::min({a, b, c}), greatest = std::max({a, b, c});
         if (least < 0 && greatest > 0) return std::min(-least, greatest);
         return std::min({std::abs(a), std::abs(b), std::abs(c)});
+    }
+
+    /// The least certain of those that did not come out as 0; ∞ if all did.
+    static double certainty_of_nonzero(const Sides<double>& s, const Sides<double>& bounds) {
+        const auto sure = [](double value, double bound) {
+            return value == 0 ? std::numeric_limits<double>::infinity() : std::abs(value) / bound;
+        };
+        return std::min({sure(s.a, bounds.a), sure(s.b, bounds.b), sure(s.c, bounds.c)});
     }
 
     /// The deficit as the tolerance rule itself reports it.
