@@ -177,6 +177,9 @@ TEST_CASE("into, over and out follow the call stack") {
     look_at_level(pinned.state, 0);
     pinned.press('o');  // the rule is done
     CHECK(pinned.code() == "const Real t = first_ahead(t0, t1);");
+    pinned.state.step = 2;
+    pinned.press('u');  // out of the operator, not of `quadratic`
+    CHECK(pinned.code() == "return {dot(D, D), dot(v, D), dot(v, v) - r * r};");
     // At the end nothing is beyond.
     go(pinned.state, pinned.results, StepTo::last);
     const std::size_t last = pinned.state.step;

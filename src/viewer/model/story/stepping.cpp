@@ -174,6 +174,9 @@ void step_over(ViewerState& state, const Results& results) {
 void step_out(ViewerState& state, const Results& results) {
     if (!has_steps(state, results)) return;
     const std::size_t level = level_now(state, results);
+    const std::vector<StackLine> from = stack_at(results, state.step);
+    // An operator of vectors is no call of its own on the tape, and is one line.
+    if (!from.empty() && from[level].function.starts_with("operator")) return step_over(state, results);
     go_beyond(state, results, [&](std::size_t common, const auto&) { return common <= level; });
 }
 

@@ -93,9 +93,14 @@ std::string told(const StackLine& line) {
     return std::string(code_of(line));
 }
 
-/// Draws the lines of the stack, each a bit further in; the one at `level` is marked, and kept in sight.
+/// Draws the lines of the stack, each a bit further in; the one at `level` is marked, and brought into sight once.
 void draw_stack(const Frame& frame, const std::vector<StackLine>& stack, std::size_t level) {
     const float em = ImGui::GetFontSize(), height = ImGui::GetTextLineHeightWithSpacing();
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("looked at");
+    const int key = static_cast<int>(32 * frame.state.step + level);
+    const bool is_new = storage->GetInt(id, -1) != key;
+    storage->SetInt(id, key);
     ImGui::PushFont(frame.fonts.mono);
     const float column = ImGui::CalcTextSize("0").x;
     const auto columns =
@@ -112,7 +117,7 @@ void draw_stack(const Frame& frame, const std::vector<StackLine>& stack, std::si
             ImGui::SetTooltip("%s, %s:%zu", stack[i].function.c_str(), std::string(stack[i].file->path).c_str(),
                               stack[i].line);
         const float below = at.y + tall - ImGui::GetWindowPos().y - ImGui::GetWindowHeight();
-        if (i == level && (below > 0 || at.y < ImGui::GetWindowPos().y)) ImGui::SetScrollHereY(1);
+        if (i == level && is_new && (below > 0 || at.y < ImGui::GetWindowPos().y)) ImGui::SetScrollHereY(1);
         if (i == level) ImGui::GetWindowDrawList()->AddText(at, frame.palette.text, "▶");
         for (std::size_t row = 0; row < rows.size(); ++row) {
             ImVec2 place{at.x + 1.2f * em + column * static_cast<float>(rows[row].indent),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -137,8 +138,11 @@ void counts(const Frame& frame) {
     const bool is_all = events.size() == frame.results.timeline.size();
     ImGui::TextUnformatted(
         fmt::format("{} of {}{}", frame.state.step + 1, events.size(), is_all ? "" : " so far").c_str());
+    // As if at the last step, so that no line breaks elsewhere while one steps.
+    const float longer = ImGui::CalcTextSize(std::to_string(events.size()).c_str()).x -
+                         ImGui::CalcTextSize(std::to_string(frame.state.step + 1).c_str()).x;
     const auto piece = [&](const std::string& text, ImU32 color) {
-        same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
+        same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x + longer);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
@@ -147,7 +151,7 @@ void counts(const Frame& frame) {
     piece(fmt::format(" ✗ {} failed", failed), frame.palette.failed);
     piece(fmt::format(" ⚠ {} cancelled", lost), frame.palette.warning);
     const float wide = 7 * ImGui::GetFontSize();
-    same_line_if_fits(wide);
+    same_line_if_fits(wide + longer);
     const float left = ImGui::GetContentRegionAvail().x - wide;
     if (left > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
     ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));

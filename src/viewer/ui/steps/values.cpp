@@ -29,7 +29,7 @@ std::string how_true(std::string_view printed, const Checked& number) {
 
 /// The same of a step's result, with what of it is its own loss.
 std::string how_true_and_why(std::string_view printed, const Checked& number) {
-    const bool told = number.own_loss != 0 || number.inherited_loss != 0;
+    const bool told = number.own_loss > 0 || number.inherited_loss > 0;
     return how_true(printed, number) + (told ? ": " + own_and_inherited(number) : "");
 }
 
@@ -95,10 +95,13 @@ void draw_step(const Frame& frame, const Event& event) {
     if (event.cancellation && !hidden)
         draw_wrapped(frame.palette.warning, fmt::format("⚠ cancellation: {:.1f} bits lost beyond those of the operands",
                                                         bits_lost_by(steps, told)));
-    draw_number(frame, event.left, steps[told.step.left].checked,
+    const auto name = [&](StepNumber number, const std::string& written) {
+        return steps[number].step.operation == Operation::constant ? "constant" : written;
+    };
+    draw_number(frame, name(told.step.left, event.left), steps[told.step.left].checked,
                 operand(event.left_made_by, "To the step that made it (e)"), how_true);
     if (count == 2)
-        draw_number(frame, event.right, steps[told.step.right].checked,
+        draw_number(frame, name(told.step.right, event.right), steps[told.step.right].checked,
                     operand(event.right_made_by, "To the step that made it (Shift+e)"), how_true);
 }
 
@@ -106,12 +109,11 @@ void draw_step(const Frame& frame, const Event& event) {
 
 void draw_values(const Frame& frame, const Event& event) {
     const Sign sign = sign_of(frame, frame.state.step);
-    const std::string& text = event.formula.empty() ? event.what : event.formula;
     const bool no = says_no(event) && !event.failed;
-    draw_wrapped(no ? frame.palette.text : sign.color, (no           ? "no: "
-                                                        : *sign.text ? std::string(sign.text) + ' '
-                                                                     : "") +
-                                                           text);
+    std::string text(sign.text);
+    if (!text.empty()) text += no ? ": " : " ";
+    text += event.formula.empty() ? event.what : event.formula;
+    draw_wrapped(no ? frame.palette.text : sign.color, text);
     if (event.place) draw_step(frame, event);
 }
 
