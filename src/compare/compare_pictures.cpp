@@ -49,11 +49,14 @@ public:
                   const Rgb& color) const {
         if (stage_ < 4) return greatest_difference(own_[surface], color) <= 1;
         const Bounded t(test.least_t / 2 + test.most_t / 2, Bounded::up(test.most_t / 2 - test.least_t / 2));
-        const Vec3<Number> n = surfaces.with_surface(surface, [&]<class Shape>(const Shape& shape) {
+        const Vec3<Number> computed = surfaces.with_surface(surface, [&]<class Shape>(const Shape& shape) {
             if constexpr (std::is_same_v<Shape, Sphere<double>>)
                 return normal(convert<Number>(shape), at(ray, Number(t)));
             else return normal(convert<Number>(shape));
         });
+        // Where rounding leaves nothing of the normal's direction, it may be any; where numbers overflow, nothing is
+        // known.
+        const Vec3<Number> n = test.has_bounds ? within_unit(computed) : computed;
         const Silent silent;
         const Terms<Number> terms =
             shade_by_model(n, unit(-ray.D), to_vec3<Number>(own_[surface]), light_, shading_, silent);
