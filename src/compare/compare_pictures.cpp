@@ -49,11 +49,14 @@ public:
                   const Rgb& color) const {
         if (stage_ < 4) return greatest_difference(own_[surface], color) <= 1;
         const Bounded t(test.least_t / 2 + test.most_t / 2, Bounded::up(test.most_t / 2 - test.least_t / 2));
-        const Vec3<Number> n = surfaces.with_surface(surface, [&]<class Shape>(const Shape& shape) {
+        const Vec3<Number> computed = surfaces.with_surface(surface, [&]<class Shape>(const Shape& shape) {
             if constexpr (std::is_same_v<Shape, Sphere<double>>)
                 return normal(convert<Number>(shape), at(ray, Number(t)));
             else return normal(convert<Number>(shape));
         });
+        // Where rounding leaves nothing of the normal's direction, it may be any; where numbers overflow, nothing is
+        // known.
+        const Vec3<Number> n = test.has_bounds ? within_unit(computed) : computed;
         const Silent silent;
         const Terms<Number> terms =
             shade_by_model(n, unit(-ray.D), to_vec3<Number>(own_[surface]), light_, shading_, silent);
@@ -192,14 +195,18 @@ std::vector<PixelDifference> differing(const Image& theirs, const Image& ours) {
     return all;
 }
 
+struct Spread {
+    std::vector<PixelDifference> some, others;
+};
+
 /// Parts the differences into every k-th one, so that there are about `most` of them, and the others.
-std::pair<std::vector<PixelDifference>, std::vector<PixelDifference>> spread(std::vector<PixelDifference> all,
-                                                                             std::size_t most) {
+Spread spread(std::vector<PixelDifference> all, std::size_t most) {
     const std::size_t step = (all.size() + most - 1) / most;
     if (step <= 1) return {std::move(all), {}};
-    std::vector<PixelDifference> some, others;
-    for (std::size_t i = 0; i < all.size(); ++i) (i % step == 0 ? some : others).push_back(std::move(all[i]));
-    return {std::move(some), std::move(others)};
+    Spread parts;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        (i % step == 0 ? parts.some : parts.others).push_back(std::move(all[i]));
+    return parts;
 }
 
 }  // namespace
@@ -234,9 +241,9 @@ PictureComparison compare_pictures(const Scene& scene, bool is_resized, const Op
     Options proven = options;
     if (engine_can(proven)) proven.engine = EngineChoice::fast;
     const std::size_t most = std::max<std::size_t>(200, enough_tests / std::max<std::size_t>(ours.engine->size(), 1));
-    auto [some, others] = spread(std::move(all), most);
+    Spread parts = spread(std::move(all), most);
     // Pictures that are rendered besides do not count; looking into pixels does, as much as rendering them all.
-    const auto worth = static_cast<std::int64_t>(result.ours.pixels.size() / some.size());
+    const auto worth = static_cast<std::int64_t>(result.ours.pixels.size() / parts.some.size());
     std::atomic<std::int64_t>* const done = std::exchange(ours.done, nullptr);
     with_search<AllMet>(
         scene, proven, reach(seen, scene.width, scene.height), ours, [&]<class Search>(const Search& search) {
@@ -247,17 +254,17 @@ PictureComparison compare_pictures(const Scene& scene, bool is_resized, const Op
                     const auto judge_all = [&](std::vector<PixelDifference>& pixels) {
                         for_each_index(pixels.size(), ours, [&](std::size_t i) {
                             judge.judge(pixels[i]);
-                            if (done && &pixels == &some) *done += worth;
+                            if (done && &pixels == &parts.some) *done += worth;
                         });
                     };
-                    judge_all(some);
-                    result.looked_into = std::move(some);
+                    judge_all(parts.some);
+                    result.looked_into = std::move(parts.some);
                     const bool has_mistake =
                         std::ranges::any_of(result.looked_into, is_beyond_rounding, &PixelDifference::cause);
-                    if (has_mistake || others.empty()) return;
+                    if (has_mistake || parts.others.empty()) return;
                     // That rounding explains all can be said only of all.
-                    judge_all(others);
-                    std::ranges::move(others, std::back_inserter(result.looked_into));
+                    judge_all(parts.others);
+                    std::ranges::move(parts.others, std::back_inserter(result.looked_into));
                 });
         });
     std::ranges::sort(result.looked_into, {},

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include <shade_by_model.hpp>
@@ -31,10 +33,26 @@ Vec3<Enclosure<Real>> towards(const Vec3<Enclosure<Real>>& r, const Vec3<Enclosu
     return {both(n.x), both(n.y), both(n.z)};
 }
 
-/// Of no known direction where the two may cancel.
+/// What a vector that was made a unit vector may be: whatever its direction comes to, no component is beyond 1 by more
+/// than rounding.
+template <class Real>
+Vec3<Enclosure<Real>> within_unit(const Vec3<Enclosure<Real>>& n) {
+    const auto cut = [](const Enclosure<Real>& x) {
+        constexpr double most = 1 + 0x1p-10;
+        const auto& [value, error] = x.range();
+        if (!isfinite(x)) return Enclosure<Real>(Bounded(0, most));
+        const double low = std::max(value - error, -most), high = std::min(value + error, most);
+        if (!(low > value - error || high < value + error) || !(low <= high)) return x;
+        const double middle = low / 2 + high / 2;
+        return Enclosure<Real>(Bounded(middle, Bounded::up(high / 2 - low / 2 + Bounded::u * std::abs(middle))));
+    };
+    return {cut(n.x), cut(n.y), cut(n.z)};
+}
+
+/// Of any direction where the two may cancel.
 template <class Real>
 Vec3<Enclosure<Real>> halfway(const Vec3<Enclosure<Real>>& a, const Vec3<Enclosure<Real>>& b) {
-    return unit(a + b);
+    return within_unit(unit(a + b));
 }
 
 template <class Real>

@@ -96,7 +96,7 @@ public:
     friend Kleene operator>(Enclosure a, Enclosure b) { return a.range_ > b.range_; }
     friend Kleene operator<=(Enclosure a, Enclosure b) { return a.range_ <= b.range_; }
     friend Kleene operator>=(Enclosure a, Enclosure b) { return a.range_ >= b.range_; }
-    friend Kleene operator==(Enclosure a, Enclosure b) { return a.range_ == b.range_; }
+    friend constexpr Kleene operator==(Enclosure a, Enclosure b) { return a.range_ == b.range_; }
     friend Kleene operator!=(Enclosure a, Enclosure b) { return a.range_ != b.range_; }
 
 private:

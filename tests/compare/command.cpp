@@ -312,6 +312,31 @@ TEST_CASE("what explains all of it is found: flipped, mirrored, shifted, swapped
           }) == "with a gamma of 2 applied to it, the square root");
 }
 
+TEST_CASE("the paper's figure: its program misses what it only touches, in 32 pixels, and that is no rounding") {
+    const Folder folder;
+    const std::string figure = SCENES "/../docs/figures/levental-2014.png", scene = SCENES "/levental-2014.toml";
+    const Ran ran = run_glassbox({"compare", scene, figure, "--json"}, {.folder = folder.path});
+    CHECK(ran.status == 1);
+    CHECK(json::parse(ran.out)["differ"] == 32);
+    CHECK(json::parse(ran.out)["mistake"] == 32);
+    // By its own rule it is right in every pixel.
+    CHECK(run_glassbox({"compare", scene, figure, "--sphere", "levental-2014"}, {.folder = folder.path}).status == 0);
+}
+
+TEST_CASE("pictures in float, of scenes in which float goes wrong, differ by float's rounding alone") {
+    const Folder folder;
+    for (const char* name : {"/spheres-grazing.toml", "/edges.toml"}) {
+        const std::string scene = SCENES + std::string(name);
+        run_glassbox({"render", scene, "--scalar", "float", "--sphere", "textbook", "-o", "theirs.png"},
+                     {.folder = folder.path});
+        const Ran ran =
+            run_glassbox({"compare", scene, "theirs.png", "--precision", "float", "--json"}, {.folder = folder.path});
+        CHECK(ran.status == 0);
+        CHECK(json::parse(ran.out)["rounding"] > 100);
+        CHECK(json::parse(ran.out)["unknown"] == 0);
+    }
+}
+
 TEST_CASE("half a pixel to a side") {
     const Pictures folder;
     const auto found = [&](const char* corner) {

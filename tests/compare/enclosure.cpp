@@ -113,6 +113,17 @@ TEST_CASE("where a sign is open, shading holds what either way gives") {
     CHECK(is_exactly(towards({Number(0), Number(0), Number(-1)}, n).z, -1));
 }
 
+TEST_CASE("a unit vector of an unknown direction still is one") {
+    using Number = Enclosure<float>;
+    // From −1 to 3 in x: its length may be 0.
+    const Vec3<Number> v{Number(Bounded(1, 2)), Number(0), Number(0)};
+    CHECK_FALSE(isfinite(unit(v).x));
+    const Vec3<Number> n = within_unit(unit(v));
+    for (const double x : {-1.0, 0.5, 1.0}) CHECK(holds(n.x, x));
+    CHECK_FALSE(holds(n.x, 1.1));
+    CHECK(is_exactly(within_unit(Vec3<Number>{Number(0.5), Number(0), Number(1)}).x, 0.5));
+}
+
 TEST_CASE("powers lie between those of the ends") {
     using Number = Enclosure<double>;
     const Number power = pow(Number(Bounded(0.5, 0.25)), Number(2));  // 1/16 to 9/16
