@@ -27,8 +27,8 @@ std::string beginning(const std::string& file) {
 
 void add_again(CLI::App& program) {
     const auto file = std::make_shared<std::string>();
-    CLI::App* command =
-        program.add_subcommand("again", "Show the command that made a picture or measurements: it makes the same bytes");
+    CLI::App* command = program.add_subcommand(
+        "again", "Show the command that made a picture or measurements: it makes the same bytes");
     command->add_option("FILE", *file, "a .png, .ppm or .exr that render, measure or the viewer wrote")
         ->type_name(" ")
         ->required();

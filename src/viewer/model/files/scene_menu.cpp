@@ -99,7 +99,6 @@ void show_scene_menu(ViewerState& state) {
     state.save_menu.shown = state.copy_menu.shown = state.keys_shown = false;
     SceneMenu& menu = state.scene_menu;
     menu.shown = true;
-    state.file_error.clear();
     browse(menu, menu.browsed);
     const auto is_scene = [&](std::size_t i) { return i < menu.listed.size() && !menu.listed[i].is_folder; };
     const bool is_open = is_scene(menu.chosen) && menu.listed[menu.chosen].path == as_absolute(state.file);

@@ -29,7 +29,6 @@ struct SceneMenu {
     std::string typed;                          ///< a path, or part of a name; see type
     std::vector<SceneRow> listed;               ///< all that there are, as last looked for
     std::size_t chosen = 0;                     ///< a row of `rows`
-    std::size_t in_sight = 0;                   ///< the row that was chosen when last drawn
     int renewed = 0;                            ///< how often `typed` was set by something else than typing
 };
 

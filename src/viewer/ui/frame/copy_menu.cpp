@@ -15,10 +15,10 @@ void draw_copy_menu(const Frame& frame) {
             const auto content = [&] {
                 ImGui::TextWrapped("%s", std::string(all[i].what).c_str());
                 ImGui::PushFont(frame.fonts.mono);
-                ImGui::TextWrapped("%s", all[i].command.c_str());
+                draw_lines(all[i].command, ImGui::GetContentRegionAvail().x);
                 ImGui::PopFont();
             };
-            if (!draw_row(frame, i == menu.chosen, false, content)) continue;
+            if (!draw_row(frame, i, i == menu.chosen, content)) continue;
             menu.chosen = i;
             copy_chosen(state);
         }

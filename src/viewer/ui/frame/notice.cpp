@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "viewer/ui/panels.hpp"
+#include "viewer/ui/widgets/dialog.hpp"
 
 namespace glassbox {
 
@@ -19,9 +19,7 @@ void draw_notice(const Frame& frame) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(2.f, font / 9));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(.6f * font, .5f * font));
     if (ImGui::Begin("##notice", nullptr, flags)) {
-        ImGui::PushTextWrapPos(widest - .6f * font);
-        ImGui::Text("%s %s", notice.is_error ? "✗" : "✓", notice.text.c_str());
-        ImGui::PopTextWrapPos();
+        draw_lines((notice.is_error ? "✗ " : "✓ ") + notice.text, widest - 1.2f * font);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

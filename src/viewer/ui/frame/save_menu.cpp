@@ -10,9 +10,10 @@ void draw_save_menu(const Frame& frame) {
     if (!menu.shown) return;
     draw_dialog("Save", menu.shown, 36, 0, [&] {
         ImGui::TextWrapped("What is to be saved (↑ ↓)?");
-        for (const SaveChoice& one : save_choices(state))
-            if (draw_row(frame, one.what == menu.what, false, [&] { ImGui::TextWrapped("%s", one.label.c_str()); }))
-                choose(state, one.what);
+        for (const auto& [what, label] : save_choices(state)) {
+            const auto content = [&, &words = label] { ImGui::TextWrapped("%s", words.c_str()); };
+            if (draw_row(frame, static_cast<std::size_t>(what), what == menu.what, content)) choose(state, what);
+        }
         if (state.overlay.measurement.empty())
             ImGui::TextWrapped("An overlay, once one is laid over the picture, can be saved, too.");
         ImGui::Spacing();

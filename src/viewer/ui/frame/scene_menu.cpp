@@ -38,7 +38,6 @@ void draw_scene(const Frame& frame, const SceneRow& row, bool chosen) {
 void draw_list(const Frame& frame, SceneMenu& menu) {
     const std::vector<SceneRow> listed = rows(menu);
     if (listed.empty()) ImGui::TextWrapped("Nothing here has that in its name. Enter opens the path as it is typed.");
-    const bool follow = std::exchange(menu.in_sight, menu.chosen) != menu.chosen;
     std::string section;
     for (std::size_t i = 0; i < listed.size(); ++i) {
         const SceneRow& row = listed[i];
@@ -48,7 +47,7 @@ void draw_list(const Frame& frame, SceneMenu& menu) {
             ImGui::PopStyleColor();
         }
         const bool chosen = i == menu.chosen;
-        const bool clicked = draw_row(frame, chosen, follow, [&] {
+        const bool clicked = draw_row(frame, i, chosen, [&] {
             if (row.is_folder) ImGui::TextWrapped("%s", row.name.c_str());
             else draw_scene(frame, row, chosen);
         });

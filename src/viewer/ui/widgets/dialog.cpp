@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 
@@ -13,6 +16,12 @@ int complete(ImGuiInputTextCallbackData* data) {
     data->DeleteChars(0, data->BufTextLen);
     data->InsertChars(0, text.c_str());
     return 0;
+}
+
+/// Whether this is another row than the one that was chosen when the window was last drawn.
+bool is_newly_chosen(int number) {
+    int& last = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen row"), -1);
+    return std::exchange(last, number) != number || ImGui::IsWindowAppearing();
 }
 
 }  // namespace
@@ -48,7 +57,7 @@ std::string typed_text(const char* hint, const std::string& text, int renewed,
     return typed.data();
 }
 
-bool draw_row(const Frame& frame, bool chosen, bool follow, const std::function<void()>& content) {
+bool draw_row(const Frame& frame, std::size_t number, bool chosen, const std::function<void()>& content) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float sign = 1.2f * ImGui::GetFontSize();
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -71,8 +80,14 @@ bool draw_row(const Frame& frame, bool chosen, bool follow, const std::function<
         list.AddRectFilled(low, high, ImGui::GetColorU32(chosen ? ImGuiCol_FrameBgActive : ImGuiCol_FrameBg),
                            style.FrameRounding);
     list.ChannelsMerge();
-    if (chosen && follow) ImGui::SetScrollHereY(.5f);
+    if (chosen && is_newly_chosen(static_cast<int>(number))) ImGui::SetScrollHereY(.5f);
     return hovered && ImGui::IsMouseClicked(0);
+}
+
+void draw_lines(const std::string& text, float room) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
+    ImGui::TextUnformatted(wrapped(text, room).c_str());
+    ImGui::PopTextWrapPos();
 }
 
 void draw_failure(const Frame& frame, const std::string& text) {

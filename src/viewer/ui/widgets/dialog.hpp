@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -16,9 +17,12 @@ void draw_dialog(const char* title, bool& shown, float width, float height, cons
 std::string typed_text(const char* hint, const std::string& text, int renewed,
                        const std::function<std::string()>& completed = {});
 
-/// Draws a row that can be chosen by `content()`, with a sign before the chosen one, which scrolls into sight if
-/// `follow`. Returns whether it was clicked.
-bool draw_row(const Frame& frame, bool chosen, bool follow, const std::function<void()>& content);
+/// Draws a row that can be chosen by `content()`, with a sign before the chosen one, which scrolls into sight when
+/// another one than before is chosen. `number` tells the rows of a window apart. Returns whether it was clicked.
+bool draw_row(const Frame& frame, std::size_t number, bool chosen, const std::function<void()>& content);
+
+/// Draws a text in lines that are broken between words, where a word is not longer than a line.
+void draw_lines(const std::string& text, float room);
 
 /// Draws a text in the colour that says that something failed, wrapped.
 void draw_failure(const Frame& frame, const std::string& text);
