@@ -150,6 +150,8 @@ TEST_CASE("margin, undecided and identity on the paper's scene, where every numb
     CHECK(value(paper, "undecided", 360, 499 - 120, options) == 2);
     // The two side products of that edge are exactly 0, of whole numbers, and known to be.
     CHECK(value(paper, "margin", 360, 499 - 120, options) == std::numeric_limits<double>::infinity());
+    // The face PQS lies in the plane z = 100 and is seen edge-on from all of its row: three zeros.
+    CHECK(value(paper, "margin", nx, 499 - 100, options) == std::numeric_limits<double>::infinity());
     CHECK(value(paper, "undecided", nx, ny, options) == 0);
     CHECK(value(paper, "margin", nx, ny, options) > 10);  // whole numbers under 2^30, and bounds of 2^-50 of them
     CHECK(value(paper, "identity", nx, ny, options) == 0);

@@ -114,6 +114,9 @@ TEST_CASE("every finite value is in a bin that holds it, from the smallest to th
         const Channel plane = row(values);
         const Histogram found = in_bins(plane, coloring_of(sequential, summarized(plane)), 64);
         CHECK(counted(found) == static_cast<std::int64_t>(values.size()));
+        std::vector<std::int64_t> searched(found.bins.size());
+        for (const double value : values) ++searched[found.bin_of(value).value_or(0)];
+        CHECK(counts(found) == searched);
         for (const double value : values) {
             const auto bin = found.bin_of(value);
             REQUIRE(bin);

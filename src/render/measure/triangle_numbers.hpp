@@ -32,12 +32,12 @@ public:
         const double along = (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) * (1 + 0x1p-16);  // rounded, too
         const double underflow = std::ldexp(1.0, tiny - 2 * length_) * along + std::ldexp(2.0, tiny - length());
         bounds = {bound(sizes.a, underflow), bound(sizes.b, underflow), bound(sizes.c, underflow)};
-        is_tiny = !(8 * u * std::max({sizes.a, sizes.b, sizes.c}) > underflow);
+        is_tiny = length_ < 0 || direction_ < 0;
     }
 
     Sides<Real> values;  ///< not scaled
     Sides<double> sides, sizes, bounds;
-    bool is_tiny;  ///< more may be lost by underflow than by rounding
+    bool is_tiny;  ///< the largest numbers are below 2^-60: what is computed of the side products may underflow
 
     /// Another number in length² |D|.
     double scaled(Real number) const { return scaled(number, length()); }
