@@ -81,7 +81,7 @@ bool compare_rays(const CLI::App& command, const CompareRequest& request, Sessio
     const std::size_t beyond = beyond_rounding_in(comparison);
     const auto command_for = [&](std::size_t ray) {
         if (!is_valid(rays[ray])) return std::string();
-        return explain_command(words_of_own_rays(request), rays[ray]);
+        return explain_ray_command(words_of_own_rays(request), rays[ray]);
     };
     RaysReport report{comparison, claims, theirs, static_cast<std::size_t>(request.worst), command_for};
     if (beyond > 0 && theirs.precision == TheirPrecision::double_)
@@ -126,7 +126,7 @@ bool compare_pictures(const CLI::App& command, const CompareRequest& request, Se
     if (beyond > 0 && theirs.precision == TheirPrecision::double_ && comparison.is_all())
         report.beyond_float = beyond_rounding_in(compared_in(TheirPrecision::float_));
     if (!request.out.empty())
-        write_picture(request.out, difference_picture(comparison, picture), session.interrupt.token());
+        write_picture(request.out, difference_picture(comparison, picture), {}, session.interrupt.token());
     print_text(request.json ? to_json(report) : to_text(report));
     return beyond > 0;
 }

@@ -70,7 +70,7 @@ void run(const CLI::App& command, const ExplainRequest& request) {
     Story story = explain(scene, options, x, y);
     if (request.predict) return ask(story);
     story.command =
-        own ? explain_command(words_of_own_rays(request), *own) : explain_command(scene_words(request), {x, y});
+        own ? explain_ray_command(words_of_own_rays(request), *own) : explain_command(scene_words(request), {x, y});
     print_text(request.json ? to_json(story) : to_text(story));
 }
 

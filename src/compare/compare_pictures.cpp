@@ -124,9 +124,9 @@ private:
     struct Found {
         Cause cause = Cause::mistake;
         std::optional<std::size_t> surface;
-        std::vector<Call> calls;
+        std::vector<CloseCall> calls;
 
-        Found(Cause its_cause, std::optional<std::size_t> its_surface, std::vector<Call> its_calls)
+        Found(Cause its_cause, std::optional<std::size_t> its_surface, std::vector<CloseCall> its_calls)
             : cause(its_cause), surface(its_surface), calls(std::move(its_calls)) {}
         Found(const Sight& sight, std::optional<std::size_t> its_surface)
             : Found(sight.cause(), its_surface, sight.calls) {}

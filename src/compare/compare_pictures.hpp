@@ -32,7 +32,7 @@ struct PixelDifference {
     std::optional<Hit<double>> truth;  ///< what is truly seen there; none: the background
     std::optional<std::size_t>
         surface;  ///< of neighbour and behind: the one that has their colour; none: the background
-    std::vector<Call> calls;
+    std::vector<CloseCall> calls;
 };
 
 /// Something that was tried and found to explain nearly all: their picture is another one of ours.

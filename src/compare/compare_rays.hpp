@@ -21,7 +21,7 @@ struct RayDifference {
     std::size_t ray = 0;
     Wrong wrong = Wrong::nothing;
     Cause cause = Cause::same;
-    std::vector<Call> calls;
+    std::vector<CloseCall> calls;
     std::optional<double> t_off;  ///< their t − the certified t of the surface that they name, if both are there
     double t_bound = 0;           ///< what rounding may do to that t; infinite: no bound is known
     double times = 0;             ///< how many times as far as rounding reaches: what ranks mistakes

@@ -11,10 +11,10 @@ namespace glassbox {
 
 namespace {
 
-using Place = std::function<std::optional<Pixel>(int x, int y)>;
+using Mapping = std::function<std::optional<Pixel>(int x, int y)>;
 
 /// How many pixels differ if theirs at (x, y) is ours at `place(x, y)`, where that is in the picture.
-Explanation placed(std::string words, const Image& theirs, const Image& ours, const Place& place) {
+Explanation placed(std::string words, const Image& theirs, const Image& ours, const Mapping& place) {
     Explanation result{std::move(words), 0, 0};
     for (int y = 0; y < theirs.height; ++y)
         for (int x = 0; x < theirs.width; ++x) {
@@ -112,7 +112,9 @@ std::vector<Explanation> explanations(const Scene& scene, const Options& options
                                       const Image& ours, std::size_t differ, const Job& job) {
     const int last_x = ours.width - 1, last_y = ours.height - 1;
     std::vector<Explanation> all;
-    const auto place = [&](const char* words, const Place& from) { all.push_back(placed(words, theirs, ours, from)); };
+    const auto place = [&](const char* words, const Mapping& from) {
+        all.push_back(placed(words, theirs, ours, from));
+    };
     place("flipped top to bottom", [=](int x, int y) { return Pixel{x, last_y - y}; });
     place("flipped left to right", [=](int x, int y) { return Pixel{last_x - x, y}; });
     place("turned by half a turn", [=](int x, int y) { return Pixel{last_x - x, last_y - y}; });

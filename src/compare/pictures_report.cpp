@@ -75,7 +75,7 @@ void tell(std::string& text, const PicturesReport& report, const PixelDifference
     line("ours", triple(one.ours));
     line("truth", truth_line(one));
     line("shows", seen_line(one));
-    for (const Call& call : telling_calls(one.calls, one.cause)) line("call", call_text(call));
+    for (const CloseCall& call : telling_calls(one.calls, one.cause)) line("call", call_text(call));
     line("verdict", std::string(cause_text(one.cause)));
     line("look", report.command(one.pixel));
 }
@@ -83,7 +83,7 @@ void tell(std::string& text, const PicturesReport& report, const PixelDifference
 Json json(const PicturesReport& report, const PixelDifference& one) {
     const auto color = [](Rgb c) { return Json::array({c.red, c.green, c.blue}); };
     Json calls = Json::array();
-    for (const Call& call : one.calls) calls.push_back(call_json(call));
+    for (const CloseCall& call : one.calls) calls.push_back(call_json(call));
     return {{"pixel", {one.pixel.x, one.pixel.y}},
             {"theirs", color(one.theirs)},
             {"ours", color(one.ours)},

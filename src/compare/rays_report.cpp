@@ -85,7 +85,7 @@ void tell(std::string& text, const RaysReport& report, const RayDifference& one)
     text += fmt::format("\nray {}: {}\n", one.ray, wrongs[static_cast<std::size_t>(one.wrong)].help);
     line("theirs", claim_text(report.claims.rays[one.ray]));
     line("truth", truth_text(report.comparison.ours[one.ray]));
-    for (const Call& call : telling_calls(one.calls, one.cause)) line("call", call_text(call));
+    for (const CloseCall& call : telling_calls(one.calls, one.cause)) line("call", call_text(call));
     line("call", reason_of_validity(one));
     if (one.wrong == Wrong::t) line("call", t_text(one));
     line("verdict", std::string(cause_text(one.cause)));
@@ -98,7 +98,7 @@ Json json(const RaysReport& report, const RayDifference& one) {
     const auto or_null = [](const auto& maybe) { return maybe ? Json(*maybe) : Json(nullptr); };
     const bool is_hit = shot.answer == Shot::Answer::hit;
     Json calls = Json::array();
-    for (const Call& call : one.calls) calls.push_back(call_json(call));
+    for (const CloseCall& call : one.calls) calls.push_back(call_json(call));
     return {{"ray", one.ray},
             {"wrong", wrongs[static_cast<std::size_t>(one.wrong)].name},
             {"cause", causes[static_cast<std::size_t>(one.cause)].name},

@@ -4,7 +4,7 @@ namespace glassbox {
 
 namespace {
 
-Call call_of(std::size_t surface, bool is_met, const Possible& test) {
+CloseCall call_of(std::size_t surface, bool is_met, const Possible& test) {
     return {.surface = surface,
             .behind = {},
             .is_met = is_met,
@@ -16,8 +16,8 @@ Call call_of(std::size_t surface, bool is_met, const Possible& test) {
 
 /// What had to come out otherwise for `seen` to be seen before `nearer`: that one is missed, or their order is another.
 /// What is easier counts.
-Call overtaking(std::size_t nearer, const Possible& its_test, std::size_t seen, const Possible& test) {
-    Call call = call_of(nearer, true, its_test);
+CloseCall overtaking(std::size_t nearer, const Possible& its_test, std::size_t seen, const Possible& test) {
+    CloseCall call = call_of(nearer, true, its_test);
     call.behind = seen;
     const auto middle = [](const Possible& p) { return p.least_t / 2 + p.most_t / 2; };
     const Decider order{"the difference of the two t", middle(test) - middle(its_test),
@@ -36,14 +36,14 @@ Call overtaking(std::size_t nearer, const Possible& its_test, std::size_t seen, 
 }  // namespace
 
 Cause Sight::cause() const {
-    const bool may_be = std::ranges::all_of(calls, &Call::may_differ);
+    const bool may_be = std::ranges::all_of(calls, &CloseCall::may_differ);
     if (!may_be) return Cause::mistake;
-    return std::ranges::all_of(calls, &Call::has_bounds) ? Cause::rounding : Cause::unknown;
+    return std::ranges::all_of(calls, &CloseCall::has_bounds) ? Cause::rounding : Cause::unknown;
 }
 
 double Sight::times() const {
     double most = 0;
-    for (const Call& call : calls) most = std::max(most, call.decider.times());
+    for (const CloseCall& call : calls) most = std::max(most, call.decider.times());
     return most;
 }
 

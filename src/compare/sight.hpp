@@ -53,7 +53,7 @@ std::vector<TrueHit> true_hits(const Search& search, const Ray<double>& ray) {
 }
 
 /// One thing that had to come out otherwise than it truly does, for another surface to be seen.
-struct Call {
+struct CloseCall {
     std::size_t surface = 0;
     std::optional<std::size_t>
         behind;               ///< it had to be missed, or lie behind this one; none: it had to be met, or missed
@@ -66,7 +66,7 @@ struct Call {
 
 /// Whether a program may see a surface first, or none at all.
 struct Sight {
-    std::vector<Call> calls;       ///< all of them have to come out otherwise
+    std::vector<CloseCall> calls;  ///< all of them have to come out otherwise
     std::optional<Possible> seen;  ///< the surface's own test
 
     Cause cause() const;

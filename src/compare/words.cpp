@@ -27,12 +27,12 @@ std::string_view name_of_precision(TheirPrecision precision) {
 }
 
 /// What truly holds: "surface 7 is missed".
-std::string truth_of(const Call& call) {
+std::string truth_of(const CloseCall& call) {
     if (call.behind) return fmt::format("surface {} lies before surface {}", call.surface, *call.behind);
     return fmt::format("surface {} is {}", call.surface, call.is_met ? "met" : "missed");
 }
 
-std::string by_formulas(const Call& call) {
+std::string by_formulas(const CloseCall& call) {
     return call.undecided_by.empty() ? std::string() : ", by " + either(call.undecided_by);
 }
 
@@ -50,7 +50,7 @@ std::string times_text(double times) {
     return times < 1000 ? fmt::format("{:.2g}", times) : fmt::format("{:.1e}", times);
 }
 
-std::string call_text(const Call& call) {
+std::string call_text(const CloseCall& call) {
     const std::string number = call.decider.what.empty() ? std::string() : ": " + decider_text(call.decider);
     const double times = call.decider.times();
     if (!call.may_differ && times > 1 && std::isfinite(times))
@@ -64,10 +64,10 @@ std::string call_text(const Call& call) {
                        by_number ? number : "");
 }
 
-std::vector<Call> telling_calls(std::vector<Call> calls, Cause cause) {
+std::vector<CloseCall> telling_calls(std::vector<CloseCall> calls, Cause cause) {
     constexpr std::size_t most = 3;
-    if (cause == Cause::mistake) std::erase_if(calls, [](const Call& call) { return call.may_differ; });
-    std::ranges::stable_sort(calls, std::greater{}, [](const Call& call) { return call.decider.times(); });
+    if (cause == Cause::mistake) std::erase_if(calls, [](const CloseCall& call) { return call.may_differ; });
+    std::ranges::stable_sort(calls, std::greater{}, [](const CloseCall& call) { return call.decider.times(); });
     calls.resize(std::min(calls.size(), most));
     return calls;
 }
@@ -89,7 +89,7 @@ std::string float_text(std::size_t beyond_double, std::size_t beyond_float) {
         beyond_double - std::min(beyond_float, beyond_double), beyond_double);
 }
 
-nlohmann::ordered_json call_json(const Call& call) {
+nlohmann::ordered_json call_json(const CloseCall& call) {
     return {{"surface", call.surface},
             {"before", call.behind ? nlohmann::ordered_json(*call.behind) : nlohmann::ordered_json(nullptr)},
             {"truly_met", call.is_met},

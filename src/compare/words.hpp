@@ -13,10 +13,10 @@ namespace glassbox {
 std::string decider_text(const Decider& decider);
 
 /// "surface 7 is truly missed, and rounding does not change it: side product b = -0.25 ± 1.8e-15, 1.3e+14 times …".
-std::string call_text(const Call& call);
+std::string call_text(const CloseCall& call);
 
 /// The calls to tell: of a mistake those that no rounding turns round, the surest first; else all. A few of them.
-std::vector<Call> telling_calls(std::vector<Call> calls, Cause cause);
+std::vector<CloseCall> telling_calls(std::vector<CloseCall> calls, Cause cause);
 
 /// "rounding may do this".
 std::string_view cause_text(Cause cause);
@@ -30,7 +30,7 @@ std::string theirs_text(const Theirs& theirs);
 /// "in float rounding may do 12 of these 15 …".
 std::string float_text(std::size_t beyond_double, std::size_t beyond_float);
 
-nlohmann::ordered_json call_json(const Call& call);
+nlohmann::ordered_json call_json(const CloseCall& call);
 nlohmann::ordered_json theirs_json(const Theirs& theirs);
 
 }  // namespace glassbox

@@ -35,7 +35,7 @@ std::string explain_command(const SceneWords& scene, Pixel pixel) {
     return begun("explain", scene) + fmt::format(" --pixel {},{}", pixel.x, pixel.y);
 }
 
-std::string explain_command(const SceneWords& scene, const Ray<double>& ray) {
+std::string explain_ray_command(const SceneWords& scene, const Ray<double>& ray) {
     const auto& [P, D] = ray;
     return begun("explain", scene) + fmt::format(" --ray {},{},{},{},{},{}", P.x, P.y, P.z, D.x, D.y, D.z);
 }

@@ -32,7 +32,7 @@ std::vector<const Parameter*> differing(const Setup& setup, const Setup& origina
 std::string explain_command(const SceneWords& scene, Pixel pixel);
 
 /// "glassbox explain room --scalar float --ray 0,0,0,1,0,0"
-std::string explain_command(const SceneWords& scene, const Ray<double>& ray);
+std::string explain_ray_command(const SceneWords& scene, const Ray<double>& ray);
 
 /// "glassbox render room --turn z:10 -o room.png", into the current folder; `extension` is ".png".
 std::string render_command(const SceneWords& scene, std::string_view extension);

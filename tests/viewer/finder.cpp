@@ -91,7 +91,7 @@ TEST_CASE("from one of the worst to the next and back, around the end, and from 
 
 TEST_CASE("the keys pin what is the worst, and bring it into view; without an overlay they lay verdict over") {
     Laid laid("margin", three_wide({5, -2, 1, -7, 0, 3}));
-    laid.state.fit = false;
+    laid.state.fit = Fit::none;
     laid.state.area = {100, 100};
     laid.state.view = zoomed_to({50, {-5000, -5000}}, 50, laid.state.area);
     pin_next_worst(laid.state, laid.results, true);

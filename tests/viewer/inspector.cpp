@@ -327,7 +327,7 @@ TEST_CASE("powers of ten, and angles") {
 
 TEST_CASE("two pixels' numbers are subtracted; headings write theirs in the form that is chosen") {
     const Scene scene = read_scene(SCENES "/levental-2014.toml");
-    const auto parts_of = [&](int x, int y) { return inspector(explain(scene, setup_of(scene).options, x, y)); };
+    const auto parts_of = [&](int x, int y) { return inspector(explain(scene, Options{}, x, y)); };
     const auto find = [](const std::vector<InspectorPart>& parts, const std::string& title) {
         for (const InspectorPart& part : parts)
             if (part.title == title) return part;

@@ -10,6 +10,7 @@
 #include "explain/words.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/story/code.hpp"
+#include "viewer/model/story/cursor.hpp"
 #include "viewer/model/story/functions.hpp"
 #include "viewer/model/story/predicting.hpp"
 
@@ -359,4 +360,25 @@ TEST_CASE("code is cut into pieces by kind, and broken at blanks") {
                 CAPTURE(line);
                 CHECK(widest <= columns);
             }
+}
+
+TEST_CASE("one surface is lit up: what the mouse is on, or what the present step is about") {
+    Pinned pinned(tell(350, 350, by_textbook()));
+    ViewerState& state = pinned.state;
+    const Story& story = *pinned.results.story;
+    for (state.step = 0; state.step < pinned.results.timeline.size(); ++state.step) {
+        const Event& event = pinned.now();
+        const auto row = event.surface ? event.surface : event.place ? event.place->row : std::nullopt;
+        if (row) CHECK(lit_surface(state, pinned.results) == story.surfaces[*row].number);
+        if (row) CHECK(lit_in_story(state, pinned.results) == &story.surfaces[*row]);
+    }
+    state.step = pinned.find("Δ = ");
+    state.pointing_at = 5;
+    CHECK(lit_surface(state, pinned.results) == 0u);  // the mouse came there in this very frame
+    begin_pointing(state);
+    CHECK(lit_surface(state, pinned.results) == 5u);
+    begin_pointing(state);
+    CHECK(lit_surface(state, pinned.results) == 0u);
+    state.page = Page::inspector;
+    CHECK_FALSE(lit_surface(state, pinned.results));
 }

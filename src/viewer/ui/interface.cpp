@@ -9,6 +9,7 @@
 #include "viewer/model/state/first_pin.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/story/cursor.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
 #include "viewer/model/work/watching.hpp"
@@ -134,6 +135,7 @@ void Interface::watch_files() {
 }
 
 void Interface::lay_out(const Frame& frame) {
+    begin_pointing(state_);
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport->WorkPos);
     ImGui::SetNextWindowSize(viewport->WorkSize);

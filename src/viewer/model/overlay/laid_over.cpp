@@ -23,7 +23,7 @@ const MeasuredChannels* wholly_laid_over(const ViewerState& state, const Results
 
 void pin_in_view(ViewerState& state, Pixel pixel) {
     pin(state, pixel);
-    if (!state.fit) state.view = showing(state.view, pixel, state.area);
+    if (state.fit == Fit::none) state.view = showing(state.view, pixel, state.area);
 }
 
 void pin_next_worst(ViewerState& state, const Results& results, bool forward) {

@@ -124,6 +124,9 @@ struct ViewerState {
     Point area;  ///< the size of the place where the picture is shown, as last drawn
     Fit fit = Fit::whole_multiple;
     std::optional<Pixel> hovered, pinned, compared;
+    /// The number of the surface that the mouse was on in the last frame, and is on in this one, in any part of the
+    /// window.
+    std::optional<std::size_t> pointed_surface, pointing_at;
     bool pins_at_first = false;  ///< a pixel is pinned as soon as the picture is there
 
     Overlay overlay;

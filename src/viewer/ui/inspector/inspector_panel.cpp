@@ -7,6 +7,7 @@
 #include "explain/phrases.hpp"
 #include "explain/text.hpp"
 #include "explain/verdict_phrases.hpp"
+#include "viewer/model/story/cursor.hpp"
 #include "viewer/model/story/inspector.hpp"
 #include "viewer/ui/inspector/drawings.hpp"
 #include "viewer/ui/inspector/rows.hpp"
@@ -144,6 +145,13 @@ void draw_heading(const Told& told, const Pair<InspectorPart>& part) {
     ImGui::EndGroup();
 }
 
+/// Which surface a part is about, if it is about one.
+std::optional<std::size_t> number_of_surface(const Told& told, const Pair<InspectorPart>& part) {
+    if (part.first && part.first->surface) return told.first->surfaces[*part.first->surface].number;
+    if (part.second && part.second->surface) return told.second->surfaces[*part.second->surface].number;
+    return {};
+}
+
 void draw_parts(const Told& told, std::span<const Pair<InspectorPart>> parts) {
     for (const Pair<InspectorPart>& part : parts) {
         const bool open = (part.first && part.first->open) || (part.second && part.second->open);
@@ -151,7 +159,11 @@ void draw_parts(const Told& told, std::span<const Pair<InspectorPart>> parts) {
         // What is open at first has an id of its own, so that the surface met now opens, whatever was closed before.
         const std::string id = fmt::format("##{}{}", any.title, open ? "" : " closed");
         constexpr ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth;
-        const bool is_open = ImGui::TreeNodeEx(id.c_str(), flags | (open ? ImGuiTreeNodeFlags_DefaultOpen : 0));
+        const std::optional<std::size_t> number = number_of_surface(told, part);
+        const bool is_lit = number && number == lit_surface(told.frame.state, told.frame.results);
+        const bool is_open = ImGui::TreeNodeEx(id.c_str(), flags | (open ? ImGuiTreeNodeFlags_DefaultOpen : 0) |
+                                                               (is_lit ? ImGuiTreeNodeFlags_Selected : 0));
+        if (number && ImGui::IsItemHovered()) told.frame.state.pointing_at = number;
         ImGui::SameLine();
         draw_heading(told, part);
         if (!is_open) continue;

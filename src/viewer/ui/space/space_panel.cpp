@@ -6,6 +6,9 @@
 #include "explain/surface_kind.hpp"
 #include "explain/words.hpp"
 #include "output/legend_number.hpp"
+#include "render/view.hpp"
+#include "viewer/model/story/cursor.hpp"
+#include "viewer/model/work/watching.hpp"
 #include "viewer/ui/space/boxes.hpp"
 #include "viewer/ui/space/labels.hpp"
 #include "viewer/ui/space/painter.hpp"
@@ -88,6 +91,37 @@ void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& 
         if (!label.text.empty()) labels.put(at, label.dot ? r * 1.5f : r, label.text, color);
         if (!label.hint.empty()) hints.push_back({at, label.hint});
     }
+}
+
+/// Draws the outline of the surface that is lit up, also through others.
+void paint_lit_surface(const SpaceCanvas& canvas) {
+    const story::Surface* const lit = lit_in_story(canvas.frame.state, canvas.frame.results);
+    if (!lit) return;
+    const ImU32 color = canvas.frame.palette.warning;
+    const float width = 2.5f * line_width();
+    if (const auto* triangle = std::get_if<story::TriangleTest>(&lit->test)) {
+        const auto& [A, B, C] = triangle->vertices;
+        for (const auto& [from, to] : {std::pair(A, B), {B, C}, {C, A}}) paint_line(canvas, from, to, color, width);
+        return;
+    }
+    const auto& sphere = std::get<story::SphereTest>(lit->test);
+    if (!in_front(canvas.camera, sphere.center)) return;
+    const double radius = sphere.radius / length_of_pixel(canvas.camera, sphere.center);
+    canvas.list.AddCircle(canvas.on_screen(sphere.center), static_cast<float>(std::min(radius, 1e5)), color, 64, width);
+}
+
+/// Draws the ray of the pixel that is traced while one watches.
+void paint_watched_ray(const SpaceCanvas& canvas) {
+    const ViewerState& state = canvas.frame.state;
+    if (!state.watching.on) return;
+    const double last = pixels(state) - 1;
+    const auto [column, row] =
+        loop_place(static_cast<std::size_t>(std::clamp(state.watching.shown, 0.0, last)), state.scene->height);
+    const Ray<double> ray =
+        std::visit([&](const auto& view) { return pixel_ray(view, column, row); }, canvas.drawing.picture.view);
+    const Ball& sight = canvas.drawing.sight;
+    const double end = (length(ray.P - sight.center) + sight.radius) / length(ray.D);
+    paint_line(canvas, ray.P, at(ray, end), canvas.frame.palette.warning, 1.5f * line_width());
 }
 
 /// Says what is not drawn.
@@ -178,6 +212,8 @@ void draw_space(const Frame& frame) {
     const ImVec2 end{corner.x + size.x, corner.y + size.y};
     canvas.list.PushClipRect(corner, end, true);
     paint_sorted(canvas);
+    paint_lit_surface(canvas);
+    paint_watched_ray(canvas);
     Labels labels(canvas.list, corner, end, faded(frame.palette.canvas, .65));
     std::vector<Hint> hints;
     labels.keep_free(buttons, buttons_end);
@@ -189,7 +225,11 @@ void draw_space(const Frame& frame) {
     canvas.list.PopClipRect();
     list.ChannelsMerge();
 
-    if (hovered) ImGui::SetTooltip("%s", said_of(canvas, ImGui::GetIO().MousePos, hints).c_str());
+    if (!hovered) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    frame.state.pointing_at =
+        seen_at(canvas.camera, {mouse.x - corner.x, mouse.y - corner.y}, surfaces, drawing).surface;
+    ImGui::SetTooltip("%s", said_of(canvas, mouse, hints).c_str());
 }
 
 }  // namespace glassbox
