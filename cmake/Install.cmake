@@ -12,7 +12,7 @@ install(DIRECTORY tests/stages tests/support DESTINATION ${data}/tests FILES_MAT
         PATTERN "support/random_bits.cpp" PATTERN "support/seen.cpp" PATTERN "support/ulps.cpp")
 
 install(FILES tests/certified/lost_rays.cpp DESTINATION ${data}/tests/certified)
-install(DIRECTORY docs DESTINATION ${data} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
+install(DIRECTORY docs DESTINATION ${data} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.gif" PATTERN "*.svg")
 install(DIRECTORY examples DESTINATION ${data})
 
 # The pages link each other as they do here, from where documentation belongs, too.

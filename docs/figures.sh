@@ -4,6 +4,7 @@
 # - A line `./glassbox … -o docs/figures/NAME.png`, or to a lesson's figures, in one of those pages is run as it stands
 #   there, so that the command beside a picture is the one that made it.
 # - docs/figures/NAME.script is what the viewer is told before it draws NAME.png, without a display.
+# - docs/moving.sh makes the one that moves.
 # - Pictures whose command no page shows are in `hidden` below; drawings, .svg, are made by hand.
 #
 # They are written to where they belong, or to the same places in FOLDER. The program is $GLASSBOX, by default ./glassbox,
@@ -51,6 +52,15 @@ for script in docs/figures/*.script; do
     echo "docs/figures/$name.png"
     "$program" view --script "$script" --folder "$learner" --screenshot "$out/docs/figures/$name.png" </dev/null
 done
+
+# The moving picture needs a library of its own.
+if command -v convert >/dev/null; then
+    echo docs/figures/viewer.gif
+    docs/moving.sh "$out"
+else
+    echo 'docs/figures.sh: there is no convert, of imagemagick: docs/figures/viewer.gif stays as it is' >&2
+    [[ $out == . ]] || cp docs/figures/viewer.gif "$out/docs/figures"
+fi
 
 # Each picture that a page shows must be made by something above.
 find README.md docs lessons -name '*.md' | sort | while read -r page; do

@@ -141,7 +141,7 @@ TEST_CASE("each call says how near it was: value, bound and how many times the o
 TEST_CASE("a ray is shown again by the command that is told") {
     const Workplace folder;
     const json told = folder.compare_ray("1.5,1,10,0,0,-1", "miss,,", {"--stage", "3"});
-    CHECK(told["first"]["command"] == "glassbox explain s.toml --ray 1.5,1,10,0,0,-1 --stage 3");
+    CHECK(told["first"]["command"] == "glassbox explain s.toml --stage 3 --ray 1.5,1,10,0,0,-1");
     const Ran ran = run_glassbox({"explain", "s.toml", "--ray", "1.5,1,10,0,0,-1", "--json"}, {.folder = folder.path});
     const json story = json::parse(ran.out);
     CHECK(story["surface"] == 2);

@@ -373,8 +373,9 @@ TEST_CASE("a click on a failing test opens its ray; the page is drawn in each st
     CHECK(viewer.results().tests->stand == learn::ToldTests::Stand::done);
     viewer.state().mine.test = "Stable: a sphere about the origin is met where it should be";  // the list goes there
     viewer.settle();
-    Pointer mouse{800, 0};  // on the right is the page; below its middle are the details
-    for (mouse.y = 100; mouse.y < 400 && !viewer.state().looked_at; mouse.y += 6) {
+    // On the right is the page, below the tiles and the tabs; the list, then the details.
+    Pointer mouse{800, 0};
+    for (mouse.y = 270; mouse.y < 560 && !viewer.state().looked_at; mouse.y += 6) {
         viewer.frame(mouse);
         mouse.left = true;
         viewer.frame(mouse);

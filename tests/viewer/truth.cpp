@@ -70,7 +70,7 @@ TEST_CASE("a key opens a tile's step and lays its overlay") {
     pinned.press('l');
     CHECK(pinned.state.overlay.measurement == "n.l");
     CHECK(pinned.event().formula.starts_with("n·l = "));
-    pinned.press('e');
+    pinned.press('y');
     CHECK(pinned.state.overlay.measurement == "margin");
     const auto& least = pinned.results.story->judgement->least;
     REQUIRE(pinned.event().place);
@@ -95,7 +95,7 @@ TEST_CASE("without a pixel the line says what to do, and keys lay overlays only"
     CHECK(pinned.seen().line.starts_with("Click a pixel"));
     CHECK_FALSE(pinned.seen().mark);
     pinned.state.page = Page::controls;
-    pinned.press('e');
+    pinned.press('y');
     CHECK(pinned.state.page == Page::controls);
     CHECK(pinned.state.overlay.measurement == "margin");
 }

@@ -64,7 +64,9 @@ void draw_pages(const Frame& frame) {
     ImGui::Separator();
     for (const PageTab& tab : pages) {
         if (frame.state.page != tab.page) continue;
-        begin_part(tab.title, {0, 0});
+        // Where the text is large and the window small, all that is on the right scrolls.
+        constexpr float least_lines = 12;
+        begin_part(tab.title, {0, std::max(ImGui::GetContentRegionAvail().y, least_lines * ImGui::GetFontSize())});
         if (frame.state.keys_work_buttons) take_keyboard();
         tab.draw(frame);
         ImGui::EndChild();

@@ -83,7 +83,7 @@ enum class Page { inspector, steps, overlay, controls, mine };
 struct Orbit {
     double azimuth = -60, elevation = 25;  ///< degrees
     double distance = 1;                   ///< 1: all of the scene is in sight
-    Point pan;                             ///< how far all is shifted, as parts of the pane's width and height
+    Point pan = {};                        ///< how far all is shifted, as parts of the pane's width and height
 
     bool operator==(const Orbit&) const = default;
 };

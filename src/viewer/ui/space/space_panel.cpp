@@ -147,6 +147,8 @@ void paint_caption(const SpaceCanvas& canvas, Labels& labels, float top) {
     const ImVec2 at{canvas.corner.x + pad, top};
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
     labels.keep_free(at, {at.x + size.x, at.y + size.y});
+    canvas.list.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y},
+                              faded(canvas.frame.palette.canvas, .65));
     canvas.list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, canvas.frame.palette.faint_text, text.c_str(),
                         nullptr, width);
 }
