@@ -169,8 +169,9 @@ TEST_CASE("percentile: each colour has as many pixels") {
 
 TEST_CASE("whatever the spacing, a place on the bar has a value whose place it is") {
     const Channel plane = row({0.001, 0.02, 0.5, 7, 8, 9, 1e5});
-    for (const auto& [name, spacing, help] : spacings) {
-        CAPTURE(name);
+    for (const auto& each : spacings) {
+        const Spacing spacing = each.value;
+        CAPTURE(each.name);
         const Coloring coloring = coloring_of(sequential, summarized(plane, spacing), {}, spacing);
         for (const double place : {0.0, 0.1, 0.3, 0.5, 0.9, 1.0}) {
             // Between the percentiles of seven values there are steps.

@@ -151,8 +151,12 @@ TEST_CASE("a pixel is at least three of the screen's, at any zoom") {
 
 TEST_CASE("enlarged: as a loop over all pixels draws them, at corners and edges, too") {
     std::mt19937 random(16);
-    for (const auto& [width, height, side] :
-         {std::tuple{7, 5, 1}, {7, 5, 2}, {7, 5, 3}, {13, 9, 4}, {13, 9, 6}, {5, 8, 11}, {1, 1, 3}, {1, 6, 192}}) {
+    struct Case {
+        int width, height, side;
+    };
+    for (const Case& each :
+         {Case{7, 5, 1}, {7, 5, 2}, {7, 5, 3}, {13, 9, 4}, {13, 9, 6}, {5, 8, 11}, {1, 1, 3}, {1, 6, 192}}) {
+        const int width = each.width, height = each.height, side = each.side;
         CAPTURE(width);
         CAPTURE(side);
         // Every rank once at most, so that it is clear which one is seen.

@@ -346,7 +346,7 @@ TEST_CASE("code is cut into pieces by kind, and broken at blanks") {
     CHECK(joined == "    return 2 * dot(n, 0x1p-53); // l·n");
     for (const SourceFile& file : core_sources())
         for (const std::string_view line : lines(file))
-            for (const std::size_t columns : {20, 40, 80}) {
+            for (const std::size_t columns : {20u, 40u, 80u}) {
                 std::string text;
                 std::size_t widest = 0;
                 for (const CodeRow& row : code_rows(line, columns)) {

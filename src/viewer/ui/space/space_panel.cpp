@@ -115,10 +115,10 @@ void paint_watched_ray(const SpaceCanvas& canvas) {
     const ViewerState& state = canvas.frame.state;
     if (!state.watching.on) return;
     const double last = pixels(state) - 1;
-    const auto [column, row] =
+    const LoopPlace place =
         loop_place(static_cast<std::size_t>(std::clamp(state.watching.shown, 0.0, last)), state.scene->height);
-    const Ray<double> ray =
-        std::visit([&](const auto& view) { return pixel_ray(view, column, row); }, canvas.drawing.picture.view);
+    const Ray<double> ray = std::visit([&](const auto& view) { return pixel_ray(view, place.column, place.row); },
+                                       canvas.drawing.picture.view);
     const Ball& sight = canvas.drawing.sight;
     const double end = (length(ray.P - sight.center) + sight.radius) / length(ray.D);
     paint_line(canvas, ray.P, at(ray, end), canvas.frame.palette.warning, 1.5f * line_width());
