@@ -53,7 +53,8 @@ TEST_CASE("a sphere's pixel") {
                                                      "✓ truly > 0",
                                                      "(51, 20, 20)",
                                                      "(0, 240, 0)",
-                                                     "the most was lost by", "bits of its own, "});
+                                                     "the most was lost by",
+                                                     "bits of its own, "});
 }
 
 TEST_CASE("a sphere that the paper's program misses") {

@@ -11,8 +11,8 @@
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
-#include "viewer/model/story/truth.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/truth.hpp"
 
 namespace glassbox {
 

@@ -13,9 +13,9 @@
 #include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
 #include "render/setup.hpp"
-#include "viewer/model/overlay/finder.hpp"
 #include "viewer/model/files/save_menu.hpp"
 #include "viewer/model/files/thumbnail.hpp"
+#include "viewer/model/overlay/finder.hpp"
 
 namespace glassbox {
 

@@ -17,7 +17,7 @@ struct Palette {
     ImU32 a, b, c;        ///< the three side products and their edges
     ImU32 n_l, n_r, n_h;  ///< the cosines, and the vectors l, r and h; in Phong's model r·m has the place of n·h
     ImU32 keyword, number, string, comment;  ///< of source code, also on the marked line
-    ImU32 box;            ///< a box of the engine's that the pinned ray meets
+    ImU32 box;                               ///< a box of the engine's that the pinned ray meets
 };
 
 ImU32 color_of(const Palette& palette, story::Mark mark);
