@@ -94,6 +94,12 @@ TEST_CASE("what bounds leave open is proven in exact arithmetic, and the words s
     CHECK(lost_by(*story.judgement->least, story).find(" lost ") != std::string::npos);
 }
 
+#ifdef GLASSBOX_SANITIZED
+constexpr int stride = 23;  // checked code is slow
+#else
+constexpr int stride = 1;
+#endif
+
 // The certified search and the reference share nothing; and what running bounds prove can only be right.
 TEST_CASE("the verdict is the measurement's, the truth is what certified finds, and no proof is wrong") {
     struct {
@@ -122,7 +128,7 @@ TEST_CASE("the verdict is the measurement's, the truth is what certified finds, 
         Job job;
         job.engine = build_engine(scene, options.stage, 1);
         for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+            for (int x = y % stride; x < width; x += stride) {
                 const Story story = explain(scene, options, x, y, Detail::whole, job);
                 REQUIRE(story.judgement);
                 const Judgement& judgement = *story.judgement;
@@ -146,9 +152,9 @@ TEST_CASE("the verdict is the measurement's, the truth is what certified finds, 
                     CHECK(std::abs(number.value) / number.error == doctest::Approx(least.sureness).epsilon(1e-6));
             }
     }
-    CHECK(proven > 100);
-    CHECK(open > 100);
-    CHECK(wrong > 100);
+    CHECK(proven > 100 / stride);
+    CHECK(open > 100 / stride);
+    CHECK(wrong > 100 / stride);
 }
 
 // Two spheres, one 1e-9 behind the other: the difference of their t₀, near 350, decides.
