@@ -155,9 +155,8 @@ SceneWords scene_words(const Request& request) {
 SceneWords words_of_own_rays(const Request& request) {
     SceneWords words = scene_words(request);
     words.size.reset();
-    std::erase_if(words.told, [](const Parameter* parameter) {
-        return parameter->name == std::string_view("turn") || parameter->name == std::string_view("accumulated");
-    });
+    std::erase_if(words.told,
+                  [](const Parameter* parameter) { return std::ranges::count(pixels_to_rays, parameter->name) > 0; });
     return words;
 }
 

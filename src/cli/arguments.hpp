@@ -1,7 +1,9 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,9 @@ Scene load(const Request& request);
 
 /// How a command line asks for it again. Throws Error if there is no such scene.
 SceneWords scene_words(const Request& request);
+
+/// The options that say how pixels become rays.
+inline constexpr std::array<std::string_view, 3> pixels_to_rays{"size", "turn", "accumulated"};
 
 /// The same where rays of one's own are asked about: without what makes pixels into rays.
 SceneWords words_of_own_rays(const Request& request);

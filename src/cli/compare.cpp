@@ -10,6 +10,7 @@
 #include "cli/tell.hpp"
 #include "compare/pictures_report.hpp"
 #include "compare/rays_report.hpp"
+#include "compare/words.hpp"
 #include "output/output_file.hpp"
 #include "output/read_picture.hpp"
 #include "render/search/surfaces.hpp"
@@ -57,12 +58,6 @@ void check_asked(const CompareRequest& request) {
                     "is --precision float or double");
 }
 
-/// How many differences rounding does not explain, as far as is known.
-template <class Comparison>
-std::size_t beyond_rounding_in(const Comparison& comparison) {
-    return comparison.count(Cause::mistake) + comparison.count(Cause::unknown);
-}
-
 /// Whether there are differences that rounding does not explain.
 bool compare_rays(const CLI::App& command, const CompareRequest& request, Session& session) {
     const Scene scene = load(request);
@@ -78,14 +73,14 @@ bool compare_rays(const CLI::App& command, const CompareRequest& request, Sessio
                             {request.threads, session.interrupt.token(), &progress.done()});
     };
     const RayComparison comparison = compared_in(theirs.precision);
-    const std::size_t beyond = beyond_rounding_in(comparison);
+    const std::size_t beyond = count_beyond_rounding(comparison);
     const auto command_for = [&](std::size_t ray) {
         if (!is_valid(rays[ray])) return std::string();
         return explain_ray_command(words_of_own_rays(request), rays[ray]);
     };
     RaysReport report{comparison, claims, theirs, static_cast<std::size_t>(request.worst), command_for};
     if (beyond > 0 && theirs.precision == TheirPrecision::double_)
-        report.beyond_float = beyond_rounding_in(compared_in(TheirPrecision::float_));
+        report.beyond_float = count_beyond_rounding(compared_in(TheirPrecision::float_));
     print_text(request.json ? to_json(report) : to_text(report));
     return beyond > 0;
 }
@@ -120,11 +115,11 @@ bool compare_pictures(const CLI::App& command, const CompareRequest& request, Se
                                 {request.threads, session.interrupt.token(), &progress.done()});
     };
     const PictureComparison comparison = compared_in(theirs.precision);
-    const std::size_t beyond = beyond_rounding_in(comparison);
+    const std::size_t beyond = count_beyond_rounding(comparison);
     const auto command_for = [&](Pixel pixel) { return explain_command(scene_words(request), pixel); };
     PicturesReport report{comparison, theirs, static_cast<std::size_t>(request.worst), command_for};
     if (beyond > 0 && theirs.precision == TheirPrecision::double_ && comparison.is_all())
-        report.beyond_float = beyond_rounding_in(compared_in(TheirPrecision::float_));
+        report.beyond_float = count_beyond_rounding(compared_in(TheirPrecision::float_));
     if (!request.out.empty())
         write_picture(request.out, difference_picture(comparison, picture), {}, session.interrupt.token());
     print_text(request.json ? to_json(report) : to_text(report));

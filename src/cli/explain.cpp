@@ -37,8 +37,9 @@ Scene seen_along(Scene scene, const Ray<double>& ray) {
 /// What was typed about how pixels become rays.
 std::vector<std::string> of_no_use_to_a_ray(const CLI::App& command) {
     std::vector<std::string> names;
-    for (const char* name : {"--size", "--turn", "--accumulated"})
-        if (command.get_option(name)->count() > 0) names.push_back(fmt::format("{} (only for pixels)", name));
+    for (const std::string_view name : pixels_to_rays)
+        if (const std::string option = fmt::format("--{}", name); command.get_option(option)->count() > 0)
+            names.push_back(option + " (only for pixels)");
     return names;
 }
 

@@ -82,8 +82,6 @@ void tell(std::string& text, const PicturesReport& report, const PixelDifference
 
 Json json(const PicturesReport& report, const PixelDifference& one) {
     const auto color = [](Rgb c) { return Json::array({c.red, c.green, c.blue}); };
-    Json calls = Json::array();
-    for (const CloseCall& call : one.calls) calls.push_back(call_json(call));
     return {{"pixel", {one.pixel.x, one.pixel.y}},
             {"theirs", color(one.theirs)},
             {"ours", color(one.ours)},
@@ -93,7 +91,7 @@ Json json(const PicturesReport& report, const PixelDifference& one) {
             {"shows_surface", one.surface ? Json(*one.surface) : Json(nullptr)},
             {"surface", one.truth ? Json(one.truth->surface) : Json(nullptr)},
             {"t", one.truth ? Json(one.truth->t) : Json(nullptr)},
-            {"calls", std::move(calls)},
+            {"calls", calls_json(one.calls)},
             {"command", report.command(one.pixel)}};
 }
 
@@ -125,9 +123,8 @@ std::string to_text(const PicturesReport& report) {
         line("found",
              fmt::format("theirs is ours {}: {} of {} differ then", one.words, one.still_differ, one.compared));
     line("judged", "by " + theirs_text(report.theirs));
-    const std::size_t beyond = all.count(Cause::mistake) + all.count(Cause::unknown);
-    if (report.beyond_float && *report.beyond_float < (beyond + 1) / 2)
-        line("note", float_text(beyond, *report.beyond_float));
+    const std::string in_float = float_text(count_beyond_rounding(all), report.beyond_float);
+    if (!in_float.empty()) line("note", in_float);
     const std::vector<const PixelDifference*> worst = worst_pixels(report);
     const PixelDifference* const first = first_pixel(all);
     if (first) line("first", fmt::format("pixel {},{}", first->pixel.x, first->pixel.y));

@@ -97,8 +97,6 @@ Json json(const RaysReport& report, const RayDifference& one) {
     const Shot& shot = report.comparison.ours[one.ray];
     const auto or_null = [](const auto& maybe) { return maybe ? Json(*maybe) : Json(nullptr); };
     const bool is_hit = shot.answer == Shot::Answer::hit;
-    Json calls = Json::array();
-    for (const CloseCall& call : one.calls) calls.push_back(call_json(call));
     return {{"ray", one.ray},
             {"wrong", wrongs[static_cast<std::size_t>(one.wrong)].name},
             {"cause", causes[static_cast<std::size_t>(one.cause)].name},
@@ -112,7 +110,7 @@ Json json(const RaysReport& report, const RayDifference& one) {
             {"t_off", or_null(one.t_off)},
             {"t_bound", one.t_off ? Json(one.t_bound) : Json(nullptr)},
             {"times", one.times},
-            {"calls", std::move(calls)},
+            {"calls", calls_json(one.calls)},
             {"command", report.command(one.ray)}};
 }
 
@@ -143,9 +141,8 @@ std::string to_text(const RaysReport& report) {
             most = std::max(most, std::abs(*one.t_off));
     if (most > 0) line("t", fmt::format("{} from the certified one at most", rounded_up(most, 3)));
     line("judged", "by " + theirs_text(report.theirs));
-    const std::size_t beyond = all.count(Cause::mistake) + all.count(Cause::unknown);
-    if (report.beyond_float && *report.beyond_float < (beyond + 1) / 2)
-        line("note", float_text(beyond, *report.beyond_float));
+    const std::string in_float = float_text(count_beyond_rounding(all), report.beyond_float);
+    if (!in_float.empty()) line("note", in_float);
     if (report.claims.is_shortened(report.theirs.precision == TheirPrecision::float_ ? digits_of<float>
                                                                                      : digits_of<double>))
         line("note", fmt::format("their t have {} digits at most; what half of the last one explains is the writing's. "

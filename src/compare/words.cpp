@@ -83,23 +83,27 @@ std::string theirs_text(const Theirs& theirs) {
                        enumerated(names_of(theirs.formulas)));
 }
 
-std::string float_text(std::size_t beyond_double, std::size_t beyond_float) {
+std::string float_text(std::size_t beyond_double, std::optional<std::size_t> beyond_float) {
+    if (!beyond_float || *beyond_float >= (beyond_double + 1) / 2) return "";
     return fmt::format(
         "in float rounding may do {} of these {}: if that is what they compute in, write --precision float",
-        beyond_double - std::min(beyond_float, beyond_double), beyond_double);
+        beyond_double - *beyond_float, beyond_double);
 }
 
-nlohmann::ordered_json call_json(const CloseCall& call) {
-    return {{"surface", call.surface},
-            {"before", call.behind ? nlohmann::ordered_json(*call.behind) : nlohmann::ordered_json(nullptr)},
-            {"truly_met", call.is_met},
-            {"may_differ", call.may_differ},
-            {"has_bounds", call.has_bounds},
-            {"formulas", call.undecided_by},
-            {"what", call.decider.what},
-            {"value", call.decider.value},
-            {"error", call.decider.error},
-            {"times", call.decider.times()}};
+nlohmann::ordered_json calls_json(std::span<const CloseCall> calls) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const CloseCall& call : calls)
+        all.push_back({{"surface", call.surface},
+                       {"before", call.behind ? nlohmann::ordered_json(*call.behind) : nlohmann::ordered_json(nullptr)},
+                       {"truly_met", call.is_met},
+                       {"may_differ", call.may_differ},
+                       {"has_bounds", call.has_bounds},
+                       {"formulas", call.undecided_by},
+                       {"what", call.decider.what},
+                       {"value", call.decider.value},
+                       {"error", call.decider.error},
+                       {"times", call.decider.times()}});
+    return all;
 }
 
 nlohmann::ordered_json theirs_json(const Theirs& theirs) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <span>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -27,10 +29,16 @@ std::string times_text(double times);
 /// "rounding in float, by the formulas stable, textbook, pluecker and moeller-trumbore".
 std::string theirs_text(const Theirs& theirs);
 
-/// "in float rounding may do 12 of these 15 …".
-std::string float_text(std::size_t beyond_double, std::size_t beyond_float);
+/// How many differences rounding does not explain, as far as is known.
+template <class Comparison>
+std::size_t count_beyond_rounding(const Comparison& comparison) {
+    return comparison.count(Cause::mistake) + comparison.count(Cause::unknown);
+}
 
-nlohmann::ordered_json call_json(const CloseCall& call);
+/// "in float rounding may do 12 of these 15 …"; empty where it would explain less than half of them, or was not asked.
+std::string float_text(std::size_t beyond_double, std::optional<std::size_t> beyond_float);
+
+nlohmann::ordered_json calls_json(std::span<const CloseCall> calls);
 nlohmann::ordered_json theirs_json(const Theirs& theirs);
 
 }  // namespace glassbox

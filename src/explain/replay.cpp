@@ -209,14 +209,12 @@ Bounded power_within(double value, const Bounded& base, const Bounded& exponent)
 /// 0 if the bounds prove the recorded answer, else 1.
 double doubt(const Kleene& truth, bool recorded) { return (recorded ? surely(truth) : !possibly(truth)) ? 0.0 : 1.0; }
 
-Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
-    const auto value = static_cast<double>(step.value);
-    switch (step.operation) {
-        case Operation::input:
-        case Operation::constant:
-            return Bounded(value);
-        case Operation::round:
-            return a;
+/// What the scalar itself makes of the operation; none for a power, which not every scalar has, and for what is no
+/// arithmetic.
+template <class Number>
+std::optional<Number> arithmetic(Operation operation, const Number& a, const Number& b) {
+    using std::abs, std::sqrt;
+    switch (operation) {
         case Operation::add:
             return a + b;
         case Operation::subtract:
@@ -231,6 +229,20 @@ Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
             return abs(a);
         case Operation::square_root:
             return sqrt(a);
+        default:
+            return {};
+    }
+}
+
+Bounded bound_of(const Step& step, const Bounded& a, const Bounded& b) {
+    const auto value = static_cast<double>(step.value);
+    if (const std::optional<Bounded> result = arithmetic(step.operation, a, b)) return *result;
+    switch (step.operation) {
+        case Operation::input:
+        case Operation::constant:
+            return Bounded(value);
+        case Operation::round:
+            return a;
         case Operation::power:
             return power_within(value, a, b);
         default:
@@ -316,26 +328,8 @@ std::optional<long double> nearest(const MaybeTrue& truth, const Checked& number
 long double computed(Operation operation, long double left, long double right, const Precision& precision) {
     return in_scalar(precision, [&]<class Real>(Real) -> long double {
         const auto a = static_cast<Real>(left), b = static_cast<Real>(right);
-        switch (operation) {
-            case Operation::add:
-                return a + b;
-            case Operation::subtract:
-                return a - b;
-            case Operation::multiply:
-                return a * b;
-            case Operation::divide:
-                return a / b;
-            case Operation::negate:
-                return -a;
-            case Operation::absolute:
-                return std::abs(a);
-            case Operation::square_root:
-                return std::sqrt(a);
-            case Operation::power:
-                return std::pow(a, b);
-            default:
-                return a;  // rounded to the scalar
-        }
+        if (operation == Operation::power) return std::pow(a, b);
+        return arithmetic(operation, a, b).value_or(a);  // else rounded to the scalar
     });
 }
 

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-#include "explain/explain.hpp"
-#include "scene/scene_file.hpp"
+#include "far_sphere.hpp"
 
 using namespace glassbox;
 
@@ -71,13 +70,7 @@ TEST_CASE("a number further up, the ray meets the edge AB; nudges of an input ad
 
 // In float the far sphere's Δ is 0 where it is truly −1100 (far_sphere.hpp has the numbers): met, and truly missed.
 TEST_CASE("a nudged test says what is true, too") {
-    Scene scene = read_scene(SCENES "/levental-2014.toml");
-    scene.triangles.clear();
-    scene.spheres = {{{-9999500, 350, 350}, 50, {0, 255, 0}}};
-    Options options;
-    options.scalar = Scalar::float_;
-    options.sphere_rule = Textbook{};
-    const Story story = explain(scene, options, 410, 149);
+    const Story story = story_of_far_sphere(410);
     const std::vector<Nudge> nudges{{"radius", 1}};
     const Nudged nudged = glassbox::nudged(story, 0, nudges);
     CHECK(nudged.before == NudgedVerdict{true, false});

@@ -153,7 +153,7 @@ void paint_caption(const SpaceCanvas& canvas, Labels& labels, float top) {
                         nullptr, width);
 }
 
-std::string said_of(const SpaceCanvas& canvas, ImVec2 mouse, const std::vector<Hint>& hints) {
+std::string said_of(const SpaceCanvas& canvas, const SeenInSpace& seen, ImVec2 mouse, const std::vector<Hint>& hints) {
     const Hint* nearest = nullptr;
     float least = ImGui::GetFontSize() * .6f;
     for (const Hint& hint : hints) {
@@ -161,8 +161,6 @@ std::string said_of(const SpaceCanvas& canvas, ImVec2 mouse, const std::vector<H
         if (distance < least) least = distance, nearest = &hint;
     }
     if (nearest) return nearest->says;
-    const SeenInSpace seen =
-        seen_at(canvas.camera, {mouse.x - canvas.corner.x, mouse.y - canvas.corner.y}, canvas.surfaces, canvas.drawing);
     if (seen.on_picture)
         return fmt::format("The picture: pixel {}, {}{}", static_cast<int>(seen.on_picture->x),
                            static_cast<int>(seen.on_picture->y),
@@ -229,9 +227,9 @@ void draw_space(const Frame& frame) {
 
     if (!hovered) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    frame.state.pointing_at =
-        seen_at(canvas.camera, {mouse.x - corner.x, mouse.y - corner.y}, surfaces, drawing).surface;
-    ImGui::SetTooltip("%s", said_of(canvas, mouse, hints).c_str());
+    const SeenInSpace seen = seen_at(canvas.camera, {mouse.x - corner.x, mouse.y - corner.y}, surfaces, drawing);
+    frame.state.pointing_at = seen.surface;
+    ImGui::SetTooltip("%s", said_of(canvas, seen, mouse, hints).c_str());
 }
 
 }  // namespace glassbox
