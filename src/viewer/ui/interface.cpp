@@ -130,7 +130,9 @@ void Interface::watch_files() {
         return watch->has_changed();
     };
     const bool scene_changed = changed(scene_watch_, {state_.file}, FileWatch::Gone::is_no_change);
-    const bool mesh_changed = changed(mesh_watch_, mesh_files(*state_.scene), FileWatch::Gone::is_a_change);
+    if (std::exchange(scene_of_meshes_, state_.scene) != state_.scene) mesh_files_ = mesh_files(*state_.scene);
+    if (mesh_files_.empty()) mesh_watch_.reset();
+    const bool mesh_changed = !mesh_files_.empty() && changed(mesh_watch_, mesh_files_, FileWatch::Gone::is_a_change);
     if (scene_changed || mesh_changed) reload(state_);
     if (!shows_mine(state_)) mine_watch_.reset();
     else if (changed(mine_watch_, files_of(state_.mine), FileWatch::Gone::is_a_change)) ++state_.mine.saved;

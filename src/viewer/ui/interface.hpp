@@ -1,6 +1,8 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "viewer/model/state/state.hpp"
 #include "viewer/model/work/background.hpp"
@@ -47,6 +49,8 @@ private:
     float loaded_text_size_ = 0;
     bool loaded_dark_ = true;
     double last_time_ = 0;
+    std::shared_ptr<const Scene> scene_of_meshes_;  // whose files these are
+    std::vector<std::filesystem::path> mesh_files_;
     std::function<void()> wake_;
     // Last: their threads end first.
     std::unique_ptr<FileWatch> scene_watch_, mesh_watch_, mine_watch_;

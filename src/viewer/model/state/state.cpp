@@ -1,6 +1,6 @@
 #include "viewer/model/state/state.hpp"
 
-#include <algorithm>
+#include <set>
 
 #include "render/failing.hpp"
 #include "scene/error.hpp"
@@ -40,11 +40,10 @@ void pin(ViewerState& state, const std::optional<Pixel>& pixel) {
 }
 
 std::vector<std::filesystem::path> mesh_files(const Scene& scene) {
-    std::vector<std::filesystem::path> files;
+    std::set<std::filesystem::path> files;
     for (const Shared<Mesh>& mesh : scene.meshes)
-        if (!mesh->file.empty() && std::find(files.begin(), files.end(), mesh->file) == files.end())
-            files.emplace_back(mesh->file);
-    return files;
+        if (!mesh->file.empty()) files.insert(mesh->file);
+    return {files.begin(), files.end()};
 }
 
 bool can_show_failing(const ViewerState& state) {
