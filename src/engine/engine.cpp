@@ -20,26 +20,20 @@ double greatest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::ab
 double greatest(const Sphere<double>& s) { return greatest(s.C) + s.r; }
 double greatest(const Triangle<double>& t) { return std::max({greatest(t.A), greatest(t.B), greatest(t.C)}); }
 
-/// The middle of all coordinates of the surfaces that are not too large.
-class Middle {
-public:
-    void add(const Vec3<double>& lo, const Vec3<double>& hi) {
-        lo_ = {std::min(lo_.x, lo.x), std::min(lo_.y, lo.y), std::min(lo_.z, lo.z)};
-        hi_ = {std::max(hi_.x, hi.x), std::max(hi_.y, hi.y), std::max(hi_.z, hi.z)};
-    }
-    void add(const Sphere<double>& s) {
-        const Vec3<double> r{s.r, s.r, s.r};
-        add(s.C - r, s.C + r);
-    }
-    void add(const Triangle<double>& t) {
-        for (const Vec3<double>& v : {t.A, t.B, t.C}) add(v, v);
-    }
-    Vec3<double> get() const { return lo_.x > hi_.x ? Vec3<double>{} : 0.5 * (lo_ + hi_); }
+Vec3<double> centre(const Sphere<double>& s) { return s.C; }
+Vec3<double> centre(const Triangle<double>& t) { return 1.0 / 3 * t.A + 1.0 / 3 * t.B + 1.0 / 3 * t.C; }
 
-private:
-    static constexpr double inf = std::numeric_limits<double>::infinity();
-    Vec3<double> lo_{inf, inf, inf}, hi_{-inf, -inf, -inf};
-};
+/// About the middle one of these points along each axis: floats relative to it are finest where most surfaces are,
+/// however far away a few others lie.
+Vec3<double> median(std::vector<Vec3<double>> points) {
+    if (points.empty()) return {};
+    const auto along = [&](double Vec3<double>::* k) {
+        const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+        std::ranges::nth_element(points, middle, {}, k);
+        return (*middle).*k;
+    };
+    return {along(&Vec3<double>::x), along(&Vec3<double>::y), along(&Vec3<double>::z)};
+}
 
 void put(double (&to)[3][fan_out], std::uint32_t at, const Vec3<double>& v) {
     to[0][at] = v.x;
@@ -51,13 +45,16 @@ void put(double (&to)[3][fan_out], std::uint32_t at, const Vec3<double>& v) {
 
 Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<double>> triangles, int threads)
     : spheres_(std::move(spheres)), place_(triangles.size()) {
-    Middle middle;
-    const auto look_at = [&](const auto& surface) {
-        if (greatest(surface) < largest) middle.add(surface);
-    };
-    std::ranges::for_each(spheres_, look_at);
-    std::ranges::for_each(triangles, look_at);
-    middle_ = middle.get();
+    constexpr std::size_t samples = 1000;
+    std::vector<Vec3<double>> some;
+    for (std::size_t i = 0; i < size(); i += size() / samples + 1) {
+        const auto take = [&](const auto& surface) {
+            if (greatest(surface) < largest) some.push_back(centre(surface));
+        };
+        if (i < spheres_.size()) take(spheres_[i]);
+        else take(triangles[i - spheres_.size()]);
+    }
+    middle_ = median(std::move(some));
 
     std::vector<Boxed> boxed;
     boxed.reserve(size());

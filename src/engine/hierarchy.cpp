@@ -179,8 +179,8 @@ std::pair<Part, Part> cut_in_two(const Part& part, int depth) {
 
 void set_child(Node& node, int at, const Box& box, std::uint32_t child) {
     for (int k = 0; k < 3; ++k) {
-        node.lo[k][at] = box.lo[k];
-        node.hi[k][at] = box.hi[k];
+        node.side[Node::lo][k][at] = box.lo[k];
+        node.side[Node::hi][k][at] = box.hi[k];
     }
     node.child[at] = child;
 }

@@ -12,23 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox::engine::HWY_NAMESPACE {
 
 #include "engine/vectors.inl"
-
-/// The children that the ray meets before t_max, and where it enters each.
-HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float t_max, float (&entries)[fan_out]) {
-    std::uint32_t met = 0;
-    for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
-        FanOfFloats entry = 0.0f, exit = t_max;
-        for (int k = 0; k < 3; ++k) {
-            const FanOfFloats lo = FanOfFloats::load(node.lo[k] + at), hi = FanOfFloats::load(node.hi[k] + at);
-            const FanOfFloats nearer = ray.backwards[k] ? hi : lo, farther = ray.backwards[k] ? lo : hi;
-            entry = max(entry, (nearer - ray.near_from[k]) * ray.inverse[k]);
-            exit = min(exit, (farther - ray.far_from[k]) * ray.inverse[k] * BoxRay::exit_factor);
-        }
-        entry.store(entries + at);
-        met |= bits_of(entry <= exit + 0x1p-100f) << at;
-    }
-    return met;
-}
+#include "engine/children_met.inl"
 
 /// A template, so that a traversal that nobody hears of box by box is compiled without the telling.
 template <class Open>

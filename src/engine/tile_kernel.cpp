@@ -31,6 +31,7 @@ inline constexpr double half_tile = (tile_side - 1) * 0.5;
 inline constexpr float to_quarter = quarter_side * 0.5f, half_quarter = (quarter_side - 1) * 0.5f;
 inline constexpr int quarters = 4;
 
+#include "engine/sphere_roots.inl"
 #include "engine/tile_sphere.inl"
 #include "engine/tile_triangles.inl"
 
@@ -38,13 +39,13 @@ inline constexpr int quarters = 4;
 HWY_INLINE HWY_ATTR FanOfFloats least_in_boxes(const Bounds& b, const Node& node, std::size_t at) {
     FanOfFloats sum = b.low;
     for (int k = 0; k < 3; ++k)
-        sum = multiply_add(b.w[k], FanOfFloats::load((b.w[k] > 0 ? node.lo : node.hi)[k] + at), sum);
+        sum = multiply_add(b.w[k], FanOfFloats::load(node.side[b.w[k] > 0 ? Node::lo : Node::hi][k] + at), sum);
     return sum;
 }
 HWY_INLINE HWY_ATTR FanOfFloats most_in_boxes(const Bounds& b, const Node& node, std::size_t at) {
     FanOfFloats sum = b.high;
     for (int k = 0; k < 3; ++k)
-        sum = multiply_add(b.w[k], FanOfFloats::load((b.w[k] > 0 ? node.hi : node.lo)[k] + at), sum);
+        sum = multiply_add(b.w[k], FanOfFloats::load(node.side[b.w[k] > 0 ? Node::hi : Node::lo][k] + at), sum);
     return sum;
 }
 

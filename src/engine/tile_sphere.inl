@@ -1,69 +1,8 @@
-// A sphere before a tile's rays: where each of them meets it, between bounds. To be included after vectors.inl.
-
-/// A number as doubles have it, and the most that it is off.
-struct Approximate {
-    Doubles value, error;
-
-    HWY_ATTR Doubles least() const { return value - error; }
-    HWY_ATTR Doubles most() const { return value + error; }
-    HWY_ATTR Mask<Doubles::Tag> surely_positive() const { return value > error; }
-    HWY_ATTR Mask<Doubles::Tag> surely_negative() const { return value < -error; }
-};
+// A sphere before a tile's rays: where each of them meets it, between bounds. To be included after sphere_roots.inl.
 
 /// How far a tile's rays may be off: in a pinhole's view their directions, else where they start.
-struct RayError {
-    double P, D;
-};
-
 inline RayError ray_error(const Grid& grid) {
     return grid.pinhole ? RayError{0, grid.ray_error} : RayError{grid.ray_error, 0};
-}
-
-/// A ray meets a sphere where D² t² + 2bt + c = 0: with v its start as seen from the centre, b = v·D, c = v² − r², and
-/// Δ = b² − D²c.
-struct SphereEquation {
-    Doubles D2, size_D;
-    Approximate b, c, delta;
-};
-
-/// Each bound has three parts: rounding, the ray's own error ε, and underflow, which takes less than 2⁻¹⁰⁷⁰ from a
-/// product. The factors leave room for the bounds' own rounding.
-HWY_INLINE HWY_ATTR SphereEquation sphere_equation(const Vec3<Doubles>& v, const Vec3<Doubles>& D, const Doubles& r2,
-                                                   const RayError& off) {
-    constexpr double u = 0x1p-53;
-    const Doubles D2 = dot(D, D), v2 = dot(v, v), b = dot(v, D), c = v2 - r2, delta = b * b - D2 * c;
-    const Doubles size_D = sqrt(D2), size_v = sqrt(v2), size = v2 + r2, far = size_v + off.P;
-
-    // Rounding: 8u|v||D|, and as much again where −b and √Δ cancel. The ray: ε|v| or ε|D|.
-    const Doubles b_error = 24 * u * size_v * size_D + 2 * (off.D * size_v + off.P * size_D);
-    // Rounding: 8u(v² + r²). The ray: 3ε(|v| + ε), for a sphere can be smaller, and nearer, than ε. Underflow: where v²
-    // or r² could be lost to it, 2⁻¹⁰⁰⁰ hides c.
-    const Doubles c_error = 16 * u * size + 4 * off.P * far + 0x1p-1000;
-    // Rounding: 40u D²(v² + r²), see filter.hpp. The ray: 4ε(|D| + ε)(v² + r²) or 4ε D²(|v| + ε). Underflow: as for c,
-    // times D², D being ordinary.
-    const Doubles delta_error =
-        48 * u * D2 * size + 5 * (off.D * (size_D + off.D) * size + off.P * D2 * far) + 0x1p-900;
-    return {D2, size_D, {b, b_error}, {c, c_error}, {delta, delta_error}};
-}
-
-/// What one ray in each lane knows of a sphere: t is between the two where the ray surely meets it.
-struct SphereRoots {
-    Mask<Doubles::Tag> missed, sure;
-    Doubles t_low, t_high;
-};
-
-/// From outside, c > 0, and with the sphere ahead, b < 0, it is met first at t = (−b − √Δ)/D². From inside, and where
-/// the bounds do not tell, nothing is sure.
-HWY_INLINE HWY_ATTR SphereRoots sphere_roots(const SphereEquation& equation, const RayError& off) {
-    const auto& [D2, size_D, b, c, delta] = equation;
-    const auto outside = c.surely_positive() & b.surely_negative();
-    const auto behind = c.surely_positive() & b.surely_positive();
-    const Doubles root_least = sqrt(max(delta.least(), 0.0)), root_most = sqrt(max(delta.most(), 0.0));
-    // D² is off relatively by 8u and by 3ε/|D|, and the quotient is rounded.
-    const Doubles slack = 0x1p-40 + 4 * off.D * (1 / size_D);
-    const Doubles t_low = (-b.most() - root_most) / D2 * (1 - slack);
-    const Doubles t_high = (-b.least() - root_least) / D2 * (1 + slack);
-    return {behind | delta.surely_negative(), outside & delta.surely_positive() & (t_low > 0.0), t_low, t_high};
 }
 
 /// The keys of two t, the nearer first, so far outwards that rounding to floats keeps them outside.

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,14 +27,67 @@ public:
         const std::size_t first = depth_;
         for (; children != 0; children &= children - 1) {
             const auto i = static_cast<std::uint32_t>(__builtin_ctz(children));
-            const Visit one{node.child[i], entries[i]};
-            std::size_t place = depth_++;
-            for (; place > first && visits_[place - 1].entry < one.entry; --place) visits_[place] = visits_[place - 1];
-            visits_[place] = one;
+            insert({node.child[i], entries[i]}, first);
         }
     }
 
+    /// The same for two or more with entries ≥ 0, of which the nearest is not pushed but returned. Up to four are sorted
+    /// without a branch: which of them is the nearest nobody can foresee.
+    std::uint32_t push_all_but_nearest(const Node& node, std::uint32_t children, const float (&entries)[fan_out]) {
+        Ordered a = take(node, children, entries), b = take(node, children, entries);
+        sort(a, b);
+        if (children == 0) {
+            put(b);
+            return visit_of(a).child;
+        }
+        Ordered c = take(node, children, entries);
+        sort(b, c);
+        sort(a, b);
+        if (children == 0) {
+            put(c);
+            put(b);
+            return visit_of(a).child;
+        }
+        Ordered d = take(node, children, entries);
+        sort(c, d);
+        sort(b, c);
+        sort(a, b);
+        const std::size_t first = depth_;
+        for (const Ordered one : {d, c, b, a}) put(one);
+        while (children != 0) insert(visit_of(take(node, children, entries)), first);
+        return pop().child;
+    }
+
 private:
+    /// A visit as a whole number that is larger the later the child is entered: floats ≥ 0 are ordered as their bits.
+    using Ordered = std::uint64_t;
+
+    static Visit visit_of(Ordered one) {
+        return {static_cast<std::uint32_t>(one), std::bit_cast<float>(static_cast<std::uint32_t>(one >> 32))};
+    }
+
+    /// The next child whose bit is set; clears it.
+    static Ordered take(const Node& node, std::uint32_t& children, const float (&entries)[fan_out]) {
+        const auto i = static_cast<std::uint32_t>(__builtin_ctz(children));
+        children &= children - 1;
+        return Ordered{std::bit_cast<std::uint32_t>(entries[i])} << 32 | node.child[i];
+    }
+
+    static void sort(Ordered& nearer, Ordered& farther) {
+        const Ordered least = std::min(nearer, farther);
+        farther = std::max(nearer, farther);
+        nearer = least;
+    }
+
+    void put(Ordered one) { visits_[depth_++] = visit_of(one); }
+
+    /// Puts one among those from `first` on where it belongs.
+    void insert(const Visit& one, std::size_t first) {
+        std::size_t place = depth_++;
+        for (; place > first && visits_[place - 1].entry < one.entry; --place) visits_[place] = visits_[place - 1];
+        visits_[place] = one;
+    }
+
     Visit visits_[(fan_out - 1) * most_levels + fan_out];
     std::size_t depth_ = 0;
 };

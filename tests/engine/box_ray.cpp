@@ -61,8 +61,8 @@ engine::Hierarchy hierarchy_of(const std::vector<Box>& boxes) {
     engine::Node& node = hierarchy.nodes.emplace_back();
     for (std::size_t i = 0; i < engine::fan_out; ++i) {
         for (int k = 0; k < 3; ++k) {
-            node.lo[k][i] = boxes[i].lo[k];
-            node.hi[k][i] = boxes[i].hi[k];
+            node.side[engine::Node::lo][k][i] = boxes[i].lo[k];
+            node.side[engine::Node::hi][k][i] = boxes[i].hi[k];
         }
         node.child[i] = engine::Child::leaf | static_cast<std::uint32_t>(i);
     }
@@ -164,15 +164,22 @@ TEST_CASE("box_ray: numbers of all magnitudes at once give no BoxRay, or one tha
 // By the definition of BoxRay: what it counts t in, and what a float can say about it.
 TEST_CASE("box_ray: t_max of a t that is beyond floats is infinite, and never below the true t") {
     const engine::Engine engine = test::engine_of_size({0, 0, 0}, 1);
-    const std::optional<engine::BoxRay> ray = engine::box_ray({{-3, 0.25, 0}, {4, 0, 0}}, engine);
+    const std::optional<engine::BoxRay> ray = engine::box_ray({{-33, 0.25, 0}, {4, 0, 0}}, engine);
     REQUIRE(ray.has_value());
-    // |D| = 4 is 2² times 1, so t counts four times; it begins at the hierarchy, at x = −1 or the float before.
+    // |D| = 4 is 2² times 1, so t counts four times; from so far it begins at the hierarchy, at x = −1 or the float
+    // before.
     CHECK(ray->scale == 4);
-    CHECK(ray->shift <= 2);
-    CHECK(ray->shift > 2 - 0x1p-22);
-    // x = 0 is met at t = 3/4: at 3 − shift ≥ 1, a little more for the rounding in floats.
-    CHECK(ray->t_max(0.75) >= 1);
-    CHECK(ray->t_max(0.75) < 1 + 0x1p-15f);
+    CHECK(ray->shift <= 32);
+    CHECK(ray->shift > 32 - 0x1p-22);
+    // x = 0 is met at t = 33/4: at 33 − shift ≥ 1, a little more for the rounding in floats.
+    CHECK(ray->t_max(8.25) >= 1);
+    CHECK(ray->t_max(8.25) < 1 + 0x1p-15f);
+    // From nearby it begins where it starts: x = 0 is met at t = 3/4, which counts as 3.
+    const std::optional<engine::BoxRay> near = engine::box_ray({{-3, 0.25, 0}, {4, 0, 0}}, engine);
+    REQUIRE(near.has_value());
+    CHECK(near->shift == 0);
+    CHECK(near->t_max(0.75) >= 3);
+    CHECK(near->t_max(0.75) < 3 + 0x1p-15f);
     CHECK(ray->t_max(1e300) == Box::inf);
     CHECK(ray->t_max(std::numeric_limits<double>::infinity()) == Box::inf);
 }

@@ -50,8 +50,8 @@ struct Inspection {
             const Node& node = tree.nodes[child];
             for (int i = 0; i < fan_out; ++i) {
                 if (node.child[i] == Child::nothing) continue;
-                const float its_lo[3] = {node.lo[0][i], node.lo[1][i], node.lo[2][i]};
-                const float its_hi[3] = {node.hi[0][i], node.hi[1][i], node.hi[2][i]};
+                const float its_lo[3] = {node.side[Node::lo][0][i], node.side[Node::lo][1][i], node.side[Node::lo][2][i]};
+                const float its_hi[3] = {node.side[Node::hi][0][i], node.side[Node::hi][1][i], node.side[Node::hi][2][i]};
                 for (int k = 0; k < 3; ++k) outside += its_lo[k] < lo[k] || its_hi[k] > hi[k];
                 inspect(node.child[i], its_lo, its_hi);
             }

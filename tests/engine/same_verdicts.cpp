@@ -64,6 +64,8 @@ int differences(const Case& c) {
         if (hit.has_value() != (plain[i].answer == Verdict::hit)) differs(ray, shown(plain[i]), hit ? "hit" : "miss");
         else if (hit && hit->surface != plain[i].surface)
             differs(ray, shown(plain[i]), "hit of " + std::to_string(hit->surface));
+        if (plain[i].answer != Verdict::invalid && nearest_only.occluded(ray) != (plain[i].answer == Verdict::hit))
+            differs(ray, shown(plain[i]), hit ? "not occluded" : "occluded");
     }
     return count;
 }

@@ -1,10 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <memory>
 #include <optional>
 
 #include "engine/kernels.hpp"
+#include "engine/ray_kernel.hpp"
 #include "render/search/filtered_predicates.hpp"
 #include "render/search/probe_flags.hpp"
 
@@ -27,7 +29,7 @@ struct EngineSurfaces {
     }
     template <class Surface>
     auto errors(const Surface& surface, std::size_t, const Ray<double>& ray) const {
-        return filter::errors(surface, including({}, ray));
+        return errors_for(ray, surface);
     }
 };
 
@@ -55,6 +57,11 @@ public:
             for (std::size_t i = 0; i < engine().size(); ++i) way.test(i);
             return way.best;
         }
+        if constexpr (OnlyFirstHit<Probe>) {
+            const engine::Candidates found = engine::first_candidates(engine(), ray, *boxes);
+            if (found.is_told() && engine().loose().empty()) return proven(ray, found, probe);
+            if (!found.too_many) return way.first_of(found);
+        }
         for (const std::uint32_t surface : engine().loose()) way.test(surface);
         const engine::TraversalCounts counts = way.traverse();
         if constexpr (!OnlyVerdicts<Probe>) {
@@ -62,6 +69,20 @@ public:
             probe(told::BoxesMissed{}, counts.boxes_missed);
         }
         return way.best;
+    }
+
+    /// Whether the ray meets anything. `ray` must be valid.
+    bool occluded(const Ray<double>& ray) const {
+        const Silent silent;
+        const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
+        if (!boxes) return trace_proven(ray, silent).has_value();
+        const auto is_met = [&](std::uint32_t surface) { return predicates_.is_met(ray, surface); };
+        const engine::Candidates found = engine::any_candidates(engine(), ray, *boxes);
+        if (found.too_many) return trace_proven(ray, silent).has_value();
+        if (std::any_of(found.list, found.list + found.count,
+                        [&](const engine::Candidate& one) { return one.sure || is_met(one.surface); }))
+            return true;
+        return std::ranges::any_of(engine().loose(), is_met);
     }
 
     template <class Probe>
@@ -77,6 +98,14 @@ public:
     }
 
 private:
+    /// What the engine says that the ray meets first, if anything.
+    template <class Probe>
+    std::optional<ProvenHit> proven(const Ray<double>& ray, const engine::Candidates& found, Probe& probe) const {
+        if (found.count == 0) return {};
+        const auto& [surface, sure, low] = found.list[0];
+        return predicates_.proven(ray, surface, low, found.high, probe);
+    }
+
     /// One ray's traversal of the hierarchy.
     template <class Probe>
     struct Traversal {
@@ -89,6 +118,13 @@ private:
         void test(std::size_t surface) {
             search.engine().with_surface(
                 surface, [&](const auto& shape) { search.predicates_.test(best, ray, shape, surface, probe); });
+        }
+
+        /// The first of those that the engine leaves open, and of those that it does not hold.
+        std::optional<ProvenHit> first_of(const engine::Candidates& found) {
+            for (int i = 0; i < found.count; ++i) search.predicates_.consider(best, ray, found.list[i].surface, probe);
+            for (const std::uint32_t surface : search.engine().loose()) test(surface);
+            return best;
         }
 
         float t_max() const {

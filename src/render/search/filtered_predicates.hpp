@@ -9,8 +9,10 @@
 
 #include "render/rules.hpp"
 #include "render/search/exact_crossing.hpp"
+#include "render/search/probe_flags.hpp"
 #include "render/search/surface_normal.hpp"
 #include "render/search/surfaces.hpp"
+#include "render/search/without_rounding.hpp"
 
 namespace glassbox {
 
@@ -21,10 +23,22 @@ struct Undecided {};  ///< (surface): error bounds could not tell whether the ra
 /// A hit that is proven.
 struct ProvenHit {
     std::size_t surface;
-    Bounded t;        ///< its bound is infinite until somebody needs one
-    double told_t;    ///< t as it was found first: the same whatever else the ray meets
-    double farthest;  ///< no true t is beyond this; nearly t, for a triangle that is hit for sure
+    Bounded t;      ///< its bound is infinite until somebody needs one
+    double told_t;  ///< t as it was found first: the same whatever else the ray meets
+    /// Between these the true t lies; both are nearly t, for a triangle that is hit for sure.
+    double nearest = 0, farthest = std::numeric_limits<double>::infinity();
+    Support support = {};  ///< of a triangle, the corners that its point lies between, if it is known to lie between fewer
 };
+
+/// A sphere moved so that P becomes the origin.
+inline Sphere<double> seen_from(const Vec3<double>& P, const Sphere<double>& sphere) { return {sphere.C - P, sphere.r}; }
+
+/// The error bounds of one ray's test: those of the surface as seen from its start, the origin then. Moving it there
+/// rounds each coordinate once, as the formulas do; far from the world's origin the bounds are so much closer.
+template <class Shape>
+auto errors_for(const Ray<double>& ray, const Shape& surface) {
+    return filter::errors(seen_from(ray.P, surface), including({}, {{}, ray.D}));
+}
 
 /// Decides whether a ray meets a surface, and which of two it meets first. Correct always. Tries double with an
 /// a-priori bound, then Bounded, then Exact, each only where the one before leaves the answer open; all three run the
@@ -59,12 +73,24 @@ public:
         std::optional<ProvenHit> hit = met(ray, surface, probe);
         if (!hit) return;
         probe(told::Met{}, surface, hit->told_t);
-        if (best) {
-            *hit = with_bound(ray, *hit);
-            *best = with_bound(ray, *best);
-            if (is_farther(ray, *hit, *best)) return;
-        }
-        best = hit;
+        if (!best || is_nearer(ray, *hit, *best)) best = hit;
+    }
+
+    /// Whether the ray meets a surface.
+    bool is_met(const Ray<double>& ray, std::size_t surface) const {
+        const Silent silent;
+        return met(ray, surface, silent).has_value();
+    }
+
+    /// A surface that the ray is known to meet between two t.
+    template <class Probe>
+    ProvenHit proven(const Ray<double>& ray, std::size_t surface, double nearest, double farthest, Probe& probe) const {
+        const Silent silent;
+        const Crossing<double> plain = store_.with_surface(surface, [&](const auto& shape) {
+            return is_filtered(shape) ? intersect(ray, shape, filtered_rule(shape), silent) : Crossing<double>{};
+        });
+        if (!plain.met) return *met(ray, surface, probe);
+        return {surface, {plain.t, not_bounded}, plain.t, nearest, farthest};
     }
 
     /// t of a surface that the ray meets, in double: the same whatever else the ray meets.
@@ -133,6 +159,14 @@ private:
     /// Whether the side products are all that decides about a triangle.
     bool sides_decide() const { return std::holds_alternative<Pluecker>(triangle_rule_.rule); }
 
+    /// The rules that `by_filter` knows bounds for.
+    static constexpr Stable filtered_rule(const Sphere<double>&) { return {}; }
+    static constexpr Pluecker filtered_rule(const Triangle<double>&) { return {}; }
+
+    /// Whether the one that was chosen for such a surface is.
+    bool is_filtered(const Sphere<double>&) const { return std::holds_alternative<Stable>(sphere_rule_.rule); }
+    bool is_filtered(const Triangle<double>&) const { return sides_decide(); }
+
     static double deciding(const filter::SphereErrors& errors) { return errors.discriminant; }
     static double deciding(const filter::TriangleErrors& errors) { return errors.side; }
 
@@ -154,9 +188,17 @@ private:
 
     template <class Probe>
     std::optional<ProvenHit> bounded_or_exact(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
-        if (!only_exact_)
-            if (const Answer bounded = by_bounds(ray, surface); bounded.is_sure) return bounded.hit;
+        if (only_exact_) {
+            probe(told::Undecided{}, surface);
+            return by_exact(ray, surface);
+        }
+        // Who hears nothing of it does not mind which of the two comes first, and this one is the faster.
+        if constexpr (OnlyFirstHit<Probe>)
+            if (const Answer exact = by_doubles_without_rounding(ray, surface); exact.is_sure) return exact.hit;
+        if (const Answer bounded = by_bounds(ray, surface); bounded.is_sure) return bounded.hit;
         probe(told::Undecided{}, surface);
+        if constexpr (!OnlyFirstHit<Probe>)
+            if (const Answer exact = by_doubles_without_rounding(ray, surface); exact.is_sure) return exact.hit;
         return by_exact(ray, surface);
     }
 
@@ -169,9 +211,9 @@ private:
             DecidingNumbers numbers{silent, sides_decide()};
             const Crossing<double> plain = intersect(ray, shape, rule, numbers);
             if (!plain.met) return {};
-            const auto& errors = store_.errors(shape, surface, ray);
-            if (!is_sure_hit(ray, shape, errors, numbers.of_a_hit)) return {};
-            return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, farthest(ray, shape, errors, plain.t)}};
+            const std::optional<Range> t = sure_range(ray, shape, store_.errors(shape, surface, ray), numbers.of_a_hit);
+            if (!t) return {};
+            return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, t->least, t->most}};
         });
     }
 
@@ -186,7 +228,27 @@ private:
         return {true, hit_at(surface, crossing.t)};
     }
 
-    /// Stage 3: no rounding at all.
+    /// Stage 3, where doubles happen to hold all digits of the side products: their signs are exact then, zeros too.
+    Answer by_doubles_without_rounding(const Ray<double>& ray, std::size_t surface) const {
+        return store_.with_surface(surface, [&](const auto& shape) -> Answer {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Triangle<double>>) {
+                if (!sides_decide()) return {};
+                const std::optional<Sides<double>> s = unrounded_sides(ray, shape);
+                if (!s) return {};
+                if (!inside(*s)) return {true, {}};
+                const std::optional<Range> t = range(ray, shape, *s, {0, errors_for(ray, shape).distance});
+                if (!t || !(t->least > 0 || t->most < 0)) return {};
+                if (t->most < 0) return {true, {}};
+                const double told_t = plane_t(ray.D, seen_from(ray.P, shape), *s);
+                const double error = Bounded::up(std::max(t->most - told_t, told_t - t->least));
+                return {true, ProvenHit{surface, {told_t, error}, told_t, t->least, t->most, support(*s)}};
+            } else {
+                return {};
+            }
+        });
+    }
+
+    /// Stage 4: no rounding at all.
     std::optional<ProvenHit> by_exact(const Ray<double>& ray, std::size_t surface) const {
         const std::optional<TrueT> t = true_t(ray, surface);
         if (!t) return {};
@@ -194,47 +256,59 @@ private:
     }
 
     static ProvenHit hit_at(std::size_t surface, const Bounded& t) {
-        return {surface, t, t.value, Bounded::up(std::abs(t.value) + t.error)};
+        return {surface, t, t.value, t.value - Bounded::up(t.error + 0x1p-51 * std::abs(t.value)),
+                Bounded::up(std::abs(t.value) + t.error)};
     }
 
+    /// Between which a number lies.
+    struct Range {
+        double least, most;
+    };
+
+    /// Between which t the ray meets a sphere, if it does so for sure.
+    ///
     /// Where Δ is surely positive and P surely outside, v² − r² > 0, (v·D)² = Δ + D²(v² − r²) is so far from 0 that v·D
     /// has the right sign, too: both roots lie on the side that it tells. Where P is surely inside, one root lies
-    /// ahead. Stable finds roots of the right signs in both cases; Textbook, which cancels, need not.
-    bool is_sure_hit(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
-                     double discriminant) const {
-        if (!std::holds_alternative<Stable>(sphere_rule_.rule) || !(discriminant > errors.discriminant)) return false;
+    /// ahead. Stable finds roots of the right signs in both cases; Textbook, which cancels, need not. No point of the
+    /// sphere is farther off than its centre and its radius together, nor nearer than they differ: | |v| − r | ≤ |tD| ≤
+    /// |v| + r.
+    std::optional<Range> sure_range(const Ray<double>& ray, const Sphere<double>& sphere,
+                                    const filter::SphereErrors& errors, double discriminant) const {
+        if (!is_filtered(sphere) || !(discriminant > errors.discriminant)) return {};
         const Vec3<double> v = ray.P - sphere.C;
-        return std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power;
+        if (!(std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power)) return {};
+        const double distance = length(v), per_D = 1 / length(ray.D);
+        return Range{(std::abs(distance - sphere.r) - 0x1p-40 * (distance + sphere.r)) * per_D * (1 - 0x1p-40),
+                     (distance + sphere.r) * per_D * (1 + 0x1p-40)};
     }
 
-    /// Where the side products are surely of one sign the line goes through the triangle, and where each vertex lies
-    /// surely ahead so does their weighted mean, the point that it meets.
-    static bool is_sure_hit(const Ray<double>& ray, const Triangle<double>& triangle,
-                            const filter::TriangleErrors& errors, double least_side) {
-        if (!(least_side > errors.side)) return false;
+    /// Between which t the ray meets a triangle, if it does so for sure.
+    ///
+    /// Where the side products are surely of one sign the line goes through the triangle. t is the mean of the vertices'
+    /// tᵢ = D·A/D², weighted by the side products wᵢ. If these are wrong by E at most, the mean is by Σ(ŵᵢ − wᵢ)(tᵢ −
+    /// t)/Σwᵢ: no more than 3E (max t − min t)/(Σ|ŵ| − 3E); tᵢ is by errors.distance/D². What else is rounded is less
+    /// than 2⁻⁴⁵ of the largest tᵢ. Where the weights are no larger than their errors their sum may be anything above 0,
+    /// and there is no bound. The ray meets the triangle where all of that range lies ahead.
+    std::optional<Range> sure_range(const Ray<double>& ray, const Triangle<double>& triangle,
+                                    const filter::TriangleErrors& errors, double least_side) const {
+        if (!(least_side > errors.side)) return {};
+        const std::optional<Range> t = range(ray, triangle, sides(ray.D, seen_from(ray.P, triangle)), errors);
+        return t && t->least > 0 ? t : std::nullopt;
+    }
+
+    /// Between which t a line meets a triangle that it passes inside, by side products that are off by errors.side.
+    static std::optional<Range> range(const Ray<double>& ray, const Triangle<double>& triangle, const Sides<double>& w,
+                                      const filter::TriangleErrors& errors) {
         const auto& [A, B, C] = seen_from(ray.P, triangle);
-        return std::min({dot(ray.D, A), dot(ray.D, B), dot(ray.D, C)}) > errors.distance;
-    }
-
-    /// No point of a sphere is farther off than its centre and its radius together: |tD| ≤ |c − P| + r.
-    static double farthest(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors&, double) {
-        return (length(sphere.C - ray.P) + sphere.r) / length(ray.D) * (1 + 0x1p-40);
-    }
-
-    /// t is the mean of the vertices' tᵢ = D·A/D², weighted by the side products wᵢ, here all of one sign. If these are
-    /// wrong by E at most, the mean is by Σ(ŵᵢ − wᵢ)(tᵢ − t)/Σwᵢ: no more than 3E (max t − min t)/(Σ|ŵ| − 3E); tᵢ is by
-    /// errors.distance/D². What else is rounded is so relatively, as nothing here is negative: by less than 2⁻⁴⁵. Where
-    /// the weights are no larger than their errors their sum may be anything above 0, and there is no bound.
-    static double farthest(const Ray<double>& ray, const Triangle<double>& triangle,
-                           const filter::TriangleErrors& errors, double t) {
-        const Triangle<double> seen = seen_from(ray.P, triangle);
-        const auto& [A, B, C] = seen;
-        const Sides<double> w = sides(ray.D, seen);
         const double a = dot(ray.D, A), b = dot(ray.D, B), c = dot(ray.D, C), D2 = dot(ray.D, ray.D);
-        const double weights = std::abs(w.a + w.b + w.c) * (1 - 0x1p-45) - 3 * errors.side;
-        if (!(weights > 0)) return not_bounded;
-        const double spread = std::max({a, b, c}) - std::min({a, b, c}) + 2 * errors.distance;
-        return (t + (3 * errors.side * spread / weights + errors.distance) / D2) * (1 + 0x1p-45);
+        const double sum = w.a + w.b + w.c, weights = std::abs(sum) * (1 - 0x1p-45) - 3 * errors.side;
+        if (!(weights > 0x1p-800)) return {};  // no underflow below
+        const double nearest = std::min({a, b, c}), farthest = std::max({a, b, c});
+        const double middle = (w.a * a + w.b * b + w.c * c) / sum;
+        const double off = 3 * errors.side * (farthest - nearest + 2 * errors.distance) / weights + errors.distance +
+                           0x1p-45 * std::max(std::abs(nearest), std::abs(farthest));
+        const double least = (middle - off) / D2, most = (middle + off) / D2;
+        return Range{least - 0x1p-45 * std::abs(least), most + 0x1p-45 * std::abs(most)};
     }
 
     /// The same hit, its t with a bound.
@@ -246,12 +320,29 @@ private:
         return bounded;
     }
 
-    /// Of two hits with bounds. At the same t the one that is listed first is taken for the farther.
-    bool is_farther(const Ray<double>& ray, const ProvenHit& one, const ProvenHit& other) const {
-        if (surely(one.t > other.t)) return true;
-        if (surely(one.t < other.t)) return false;
+    /// At the same t the surface that is listed last is taken for the nearer.
+    bool is_nearer(const Ray<double>& ray, ProvenHit& one, ProvenHit& other) const {
+        if (one.nearest > other.farthest) return false;
+        if (one.farthest < other.nearest) return true;
+        if (meet_in_one_point(one, other)) return one.surface > other.surface;
+        one = with_bound(ray, one);
+        other = with_bound(ray, other);
+        if (surely(one.t > other.t)) return false;
+        if (surely(one.t < other.t)) return true;
         const int order = compare(*true_t(ray, one.surface), *true_t(ray, other.surface));
-        return order != 0 ? order > 0 : one.surface < other.surface;
+        return order != 0 ? order < 0 : one.surface > other.surface;
+    }
+
+    /// Whether two hits are one point, as far as it shows without exact arithmetic.
+    bool meet_in_one_point(const ProvenHit& one, const ProvenHit& other) const {
+        return store_.with_surface(one.surface, [&](const auto& a) {
+            return store_.with_surface(other.surface, [&](const auto& b) {
+                using Shape = std::remove_cvref_t<decltype(a)>;
+                if constexpr (!std::is_same_v<Shape, std::remove_cvref_t<decltype(b)>>) return false;
+                else if constexpr (std::is_same_v<Shape, Sphere<double>>) return a.C == b.C && a.r == b.r;
+                else return has_corners(b, a, one.support) || has_corners(a, b, other.support) || are_coplanar(a, b);
+            });
+        });
     }
 
     static constexpr double not_bounded = std::numeric_limits<double>::infinity();

@@ -34,8 +34,8 @@ void for_each_box(const engine::Engine& engine, int last, const Use& use) {
             if (code == Child::nothing) continue;
             engine::Box box;
             for (int k = 0; k < 3; ++k) {
-                box.lo[k] = node.lo[k][i];
-                box.hi[k] = node.hi[k][i];
+                box.lo[k] = node.side[engine::Node::lo][k][i];
+                box.hi[k] = node.side[engine::Node::hi][k][i];
             }
             use(code, box, level + 1);
             if (!Child::is_leaf(code)) waiting.emplace_back(code, level + 1);
@@ -75,8 +75,8 @@ bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
     for (int i = 0; i < engine::fan_out; ++i) {
         const engine::Box& box = i == 0 ? engine.around() : empty;
         for (int k = 0; k < 3; ++k) {
-            node.lo[k][i] = box.lo[k];
-            node.hi[k][i] = box.hi[k];
+            node.side[engine::Node::lo][k][i] = box.lo[k];
+            node.side[engine::Node::hi][k][i] = box.hi[k];
         }
         node.child[i] = i == 0 ? Child::leaf : Child::nothing;
     }

@@ -1,0 +1,145 @@
+#include "engine/ray_kernel.hpp"
+
+#include "engine/visits.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/ray_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: the header comes after the loop over targets.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox::engine::HWY_NAMESPACE {
+
+#include "engine/vectors.inl"
+#include "engine/children_met.inl"
+#include "engine/ray_triangles.inl"
+#include "engine/sphere_roots.inl"
+#include "engine/ray_spheres.inl"
+
+/// No coordinate of a vertex in the hierarchy as seen from the ray's start is larger.
+inline double farthest_corner(const Engine& engine, const glassbox::Ray<double>& ray) {
+    const glassbox::Vec3<double> P = ray.P - engine.middle();
+    return (std::max({std::abs(P.x), std::abs(P.y), std::abs(P.z)}) + static_cast<double>(engine.around().reach())) *
+           (1 + 0x1p-40);
+}
+
+/// Traces one ray by itself; with `Any`, only until something is surely met.
+template <bool Any>
+class RayKernel {
+public:
+    HWY_ATTR RayKernel(const Engine& engine, const glassbox::Ray<double>& ray, const BoxRay& boxes, Candidates& found)
+        : found_(found), engine_(engine), boxes_(boxes), ray_(ray), sheared_(sheared(ray, farthest_corner(engine, ray))) {}
+
+    HWY_ATTR void operator()() {
+        const Hierarchy& hierarchy = engine_.hierarchy();
+        if (hierarchy.nodes.empty()) return;
+        Visits visits({0, 0});
+        while (!visits.is_empty()) {
+            auto [child, entry] = visits.pop();
+            if (entry > t_max_) continue;
+            while (!Child::is_leaf(child)) child = next_below(hierarchy.nodes[child], visits);
+            if (child == Child::nothing) continue;
+            test(child);
+            if (Any && found_.high < infinity) break;
+        }
+        finish();
+    }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /// The child of a node that the ray comes to first, or nothing; the others are left to be visited later.
+    HWY_INLINE HWY_ATTR std::uint32_t next_below(const Node& node, Visits& visits) const {
+        alignas(32) float entries[fan_out];
+        const std::uint32_t met = children_met(node, boxes_, t_max_, entries);
+        if (met == 0) return Child::nothing;
+        if ((met & (met - 1)) == 0) return node.child[__builtin_ctz(met)];
+        return visits.push_all_but_nearest(node, met, entries);
+    }
+
+    HWY_ATTR void test(std::uint32_t leaf) {
+        const std::uint32_t index = Child::index(leaf);
+        if (Child::is_of_spheres(leaf)) {
+            const auto [first, count] = engine_.hierarchy().sphere_leaves[index];
+            const std::uint32_t* const numbers = engine_.hierarchy().surfaces.data() + first;
+            take(may_meet(ray_, engine_.spheres().data(), numbers, count, found_.high), numbers);
+        } else {
+            const Block& block = engine_.blocks()[index];
+            take(may_meet(sheared_, block, found_.high), block.surface);
+        }
+    }
+
+    HWY_ATTR void take(const MayMeet& met, const std::uint32_t* numbers) {
+        for (std::uint32_t rest = met.some; rest != 0; rest &= rest - 1) {
+            const int at = __builtin_ctz(rest);
+            add(numbers[at], (met.sure >> at & 1) != 0, met.low[at], met.high[at]);
+        }
+    }
+
+    /// Takes a surface that is met between two t, if at all.
+    void add(std::uint32_t surface, bool sure, double low, double high) {
+        if (low > found_.high) return;
+        if (sure && high < found_.high) {
+            found_.high = high;
+            t_max_ = boxes_.t_max(high);
+            drop_what_lies_behind();
+        }
+        if (found_.count == Candidates::most) found_.too_many = true;
+        else found_.list[found_.count++] = {surface, sure, low};
+    }
+
+    void drop_what_lies_behind() {
+        int kept = 0;
+        for (int i = 0; i < found_.count; ++i)
+            if (found_.list[i].low <= found_.high) found_.list[kept++] = found_.list[i];
+        found_.count = kept;
+    }
+
+    void finish() {
+        if (!Any || !(found_.high < infinity)) return;
+        for (int i = 0; i < found_.count; ++i)
+            if (found_.list[i].sure) found_.list[0] = found_.list[i];
+        found_.count = 1;
+        found_.too_many = false;
+    }
+
+    Candidates& found_;
+    const Engine& engine_;
+    const BoxRay& boxes_;
+    const glassbox::Ray<double>& ray_;
+    ShearedRay sheared_;
+    float t_max_ = std::numeric_limits<float>::infinity();
+};
+
+HWY_ATTR Candidates FirstCandidates(const Engine& engine, const glassbox::Ray<double>& ray, const BoxRay& boxes) {
+    Candidates found;
+    RayKernel<false>(engine, ray, boxes, found)();
+    return found;
+}
+
+HWY_ATTR Candidates AnyCandidates(const Engine& engine, const glassbox::Ray<double>& ray, const BoxRay& boxes) {
+    Candidates found;
+    RayKernel<true>(engine, ray, boxes, found)();
+    return found;
+}
+
+}  // namespace glassbox::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glassbox::engine {
+
+HWY_EXPORT(FirstCandidates);
+HWY_EXPORT(AnyCandidates);
+
+Candidates first_candidates(const Engine& engine, const Ray<double>& ray, const BoxRay& boxes) {
+    return HWY_DYNAMIC_DISPATCH(FirstCandidates)(engine, ray, boxes);
+}
+
+Candidates any_candidates(const Engine& engine, const Ray<double>& ray, const BoxRay& boxes) {
+    return HWY_DYNAMIC_DISPATCH(AnyCandidates)(engine, ray, boxes);
+}
+
+}  // namespace glassbox::engine
+#endif
