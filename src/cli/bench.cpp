@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/runs.hpp"
+#include "cli/bench_cliffs.hpp"
 #include "cli/bench_embree.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
@@ -26,8 +27,8 @@ namespace {
 struct BenchRequest {
     std::vector<std::string> scenes{"levental-2014", "room"};
     std::optional<int> runs;
-    bool against_embree = false;
-    std::optional<int> checked;
+    bool against_embree = false, cliffs = false, markdown = false;
+    std::optional<int> rays_to_check;
 
     int runs_or(int usual) const { return runs.value_or(usual); }
 };
@@ -91,7 +92,7 @@ void add_bench(CLI::App& program, Session& session) {
     };
     command
         ->add_option_function<std::string>("--runs", read_runs,
-                                           "how many runs of each, in turn (default: 7; 9 against Embree)")
+                                           "how many runs of each, in turn (default: 7; 9 against Embree, 5 of cliffs)")
         ->type_name("N");
     const auto read_against = [request](const std::string& typed) {
         if (typed != "embree") throw wrong("--against", fmt::format("'{}' is not known; it must be embree", typed));
@@ -101,19 +102,27 @@ void add_bench(CLI::App& program, Session& session) {
         ->add_option_function<std::string>("--against", read_against,
                                            "another tracer, on generated meshes: embree, where it was installed")
         ->type_name("embree");
+    command->add_flag("--cliffs", request->cliffs,
+                      "scenes and rays that could cost many times what ordinary ones do, beside these");
+    command->add_flag("--markdown", request->markdown, "the table of --cliffs for a page");
     const auto read_checked = [request](const std::string& typed) {
-        request->checked = whole_number("--check", typed, 1, 1'000'000'000);
+        request->rays_to_check = whole_number("--check", typed, 1, 1'000'000'000);
     };
     command
         ->add_option_function<std::string>("--check", read_checked,
-                                           "how many rays of each list the plain loop checks, against Embree "
-                                           "(default: as many as take it some seconds)")
+                                           "how many rays the plain loop checks, of cliffs and of each kind of rays "
+                                           "against Embree (default: as many as take it some seconds)")
         ->type_name("N");
     command->callback([request, &session] {
         if (request->against_embree) {
             const bool all_right =
-                bench_against_embree(request->runs_or(9), request->checked, session.interrupt.token());
+                bench_against_embree(request->runs_or(9), request->rays_to_check, session.interrupt.token());
             if (!all_right) throw CLI::RuntimeError(1);
+            return;
+        }
+        if (request->cliffs) {
+            const CliffRequest cliffs{request->runs_or(5), request->rays_to_check, request->markdown};
+            if (!bench_cliffs(cliffs, session.interrupt.token())) throw CLI::RuntimeError(1);
             return;
         }
         const int runs = request->runs_or(7);
