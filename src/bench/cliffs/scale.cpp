@@ -57,6 +57,11 @@ Cliff scaled(int exponent) {
             [scale](int side) { return Traced{knot(128, side, scale)}; }, small_knot};
 }
 
+/// A ball of 81,920 triangles.
+Traced large_scene(double scale, int side) {
+    return {with(seen_from({0, 0, 3 * scale}, {0, 0, 0}, side), moved(icosphere(6), scale, {}))};
+}
+
 Cliff ball_at(double off, const char* text) {
     return {std::string("one sphere of radius 1, and the eye, at ") + text, 3, "both near 0",
             [off](int side) { return one_ball(off, side); }, [](int side) { return one_ball(0, side); }};
@@ -114,6 +119,8 @@ std::vector<Cliff> cliffs_of_scale() {
         scaled(-400),
         scaled(50),
         scaled(400),
+        {"a scene of 81,920 triangles at scale 2^-60", 1.2, "the same at scale 1",
+         [](int side) { return large_scene(0x1p-60, side); }, [](int side) { return large_scene(1, side); }},
         {"the eye inside a big sphere", 2, "a ball behind the knot",
          [](int side) {
              return and_ball({{0, 0, 0}, 100, grey}, side);
