@@ -35,7 +35,7 @@ counted() {
         room stage$stage "tests/stages/stage${stage}_*.cpp" "src/core/$stage-*"
     done
     room core tests/stages/core
-    for name in numerics scene engine render output explain compare learn viewer cli library; do
+    for name in numerics scene engine render output explain compare learn viewer cli library bench; do
         room $name tests/$name src/$name
     done
     room certified "tests/certified tests/oracle tests/fuzz"
@@ -80,7 +80,7 @@ run() {
     cp "$1/Testing/Temporary/LastTest.log" "$log" # which ctest -N empties
     echo '| label | tests | checks |'
     echo '|---|---|---|'
-    for label in stage{1..7} core numerics scene engine render output explain compare certified learn viewer cli library lessons; do
+    for label in stage{1..7} core numerics scene engine render output explain compare certified learn viewer cli library bench lessons; do
         tests=$(cd "$1" && ctest -N -L "^$label\$" | sed -n 's/^ *Test *#[0-9]*: //p')
         [[ -n $tests ]] || continue
         awk -v label="$label" '

@@ -6,10 +6,8 @@
 #include <chrono>
 #include <limits>
 
+#include "bench/ray_lists.hpp"
 #include "engine/tile.hpp"
-#include "render/parallel.hpp"
-#include "render/pixel.hpp"
-#include "render/view.hpp"
 
 namespace glassbox {
 
@@ -18,9 +16,6 @@ struct EmbreeScene::Inside {
     RTCScene scene = nullptr;
     std::atomic<std::int64_t> bytes = 0;
     double seconds = 0;
-    int width = 0, height = 0;
-    Vec3<float> eye;
-    std::vector<float> x, y, z;  ///< of each pixel's direction
 };
 
 EmbreeScene::EmbreeScene(const Scene& scene, bool robust) : inside_(std::make_unique<Inside>()) {
@@ -57,18 +52,6 @@ EmbreeScene::EmbreeScene(const Scene& scene, bool robust) : inside_(std::make_un
     rtcCommitScene(in.scene);
     in.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     rtcSetDeviceMemoryMonitorFunction(in.device, nullptr, nullptr);
-
-    in.width = scene.width;
-    in.height = scene.height;
-    const View seen = view(scene, {});
-    for (int y = 0; y < scene.height; ++y)
-        for (int x = 0; x < scene.width; ++x) {
-            const Ray<float> ray = convert<float>(pixel_ray(seen, x, y, scene.height));
-            in.eye = ray.P;
-            in.x.push_back(ray.D.x);
-            in.y.push_back(ray.D.y);
-            in.z.push_back(ray.D.z);
-        }
 }
 
 EmbreeScene::~EmbreeScene() {
@@ -82,63 +65,73 @@ std::string EmbreeScene::version() { return RTC_VERSION_STRING; }
 
 namespace {
 
-RTCIntersectContext coherent() {
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+RTCIntersectContext context_of(Coherence coherence) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.flags =
+        coherence == Coherence::high ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_NONE;
     return context;
 }
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+RTCRay in_embree(const Ray<float>& ray) {
+    return {ray.P.x, ray.P.y, ray.P.z, 0, ray.D.x, ray.D.y, ray.D.z, 0, infinity, 0xFFFFFFFF, 0, 0};
+}
 
 }  // namespace
 
-void EmbreeScene::trace_one_by_one(const Job& job, NearestHits& hits) const {
-    const Inside& in = *inside_;
-    for_each_pixel(in.width, in.height, job, [&](int x, int y) {
-        const std::size_t pixel = index_of({x, y}, in.width);
-        RTCIntersectContext context = coherent();
+void EmbreeScene::trace(std::span<const Ray<float>> rays, Coherence coherence, const Job& job,
+                        NearestHits& hits) const {
+    for_each_timed(rays.size(), job, [&](std::size_t i) {
+        RTCIntersectContext context = context_of(coherence);
         RTCRayHit ray{};
-        ray.ray = {in.eye.x,    in.eye.y, in.eye.z, 0,          in.x[pixel], in.y[pixel],
-                   in.z[pixel], 0,        infinity, 0xFFFFFFFF, 0,           0};
+        ray.ray = in_embree(rays[i]);
         ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(in.scene, &context, &ray);
-        hits.surface[pixel] = ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? engine::no_surface : ray.hit.primID;
-        hits.t[pixel] = ray.ray.tfar;
+        rtcIntersect1(inside_->scene, &context, &ray);
+        hits.surface[i] = ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? engine::no_surface : ray.hit.primID;
+        hits.t[i] = ray.ray.tfar;
     });
 }
 
-void EmbreeScene::trace_packets(const Job& job, NearestHits& hits) const {
-    const Inside& in = *inside_;
-    for_each_pixel(in.width / 4, in.height / 4, job, [&](int tile_x, int tile_y) {
-        alignas(64) RTCRayHit16 rays;
+void EmbreeScene::trace_packets(std::span<const Ray<float>> rays, const Job& job, NearestHits& hits) const {
+    for_each_timed(rays.size() / 16, job, [&](std::size_t packet) {
+        alignas(64) RTCRayHit16 in;
         alignas(64) int valid[16];
-        std::size_t pixels[16];
-        for (int k = 0; k < 16; ++k) {
-            const std::size_t pixel = index_of({tile_x * 4 + k % 4, tile_y * 4 + k / 4}, in.width);
-            pixels[k] = pixel;
+        for (std::size_t k = 0; k < 16; ++k) {
+            const auto& [P, D] = rays[16 * packet + k];
             valid[k] = -1;
-            rays.ray.org_x[k] = in.eye.x;
-            rays.ray.org_y[k] = in.eye.y;
-            rays.ray.org_z[k] = in.eye.z;
-            rays.ray.tnear[k] = 0;
-            rays.ray.dir_x[k] = in.x[pixel];
-            rays.ray.dir_y[k] = in.y[pixel];
-            rays.ray.dir_z[k] = in.z[pixel];
-            rays.ray.time[k] = 0;
-            rays.ray.tfar[k] = infinity;
-            rays.ray.mask[k] = 0xFFFFFFFF;
-            rays.ray.id[k] = rays.ray.flags[k] = 0;
-            rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-            rays.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+            in.ray.org_x[k] = P.x;
+            in.ray.org_y[k] = P.y;
+            in.ray.org_z[k] = P.z;
+            in.ray.tnear[k] = 0;
+            in.ray.dir_x[k] = D.x;
+            in.ray.dir_y[k] = D.y;
+            in.ray.dir_z[k] = D.z;
+            in.ray.time[k] = 0;
+            in.ray.tfar[k] = infinity;
+            in.ray.mask[k] = 0xFFFFFFFF;
+            in.ray.id[k] = in.ray.flags[k] = 0;
+            in.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+            in.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
         }
-        RTCIntersectContext context = coherent();
-        rtcIntersect16(valid, in.scene, &context, &rays);
-        for (int k = 0; k < 16; ++k) {
-            const bool missed = rays.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID;
-            hits.surface[pixels[k]] = missed ? engine::no_surface : rays.hit.primID[k];
-            hits.t[pixels[k]] = rays.ray.tfar[k];
+        RTCIntersectContext context = context_of(Coherence::high);
+        rtcIntersect16(valid, inside_->scene, &context, &in);
+        for (std::size_t k = 0; k < 16; ++k) {
+            const bool missed = in.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID;
+            hits.surface[16 * packet + k] = missed ? engine::no_surface : in.hit.primID[k];
+            hits.t[16 * packet + k] = in.ray.tfar[k];
         }
+    });
+}
+
+void EmbreeScene::occluded(std::span<const Ray<float>> rays, Coherence coherence, const Job& job,
+                           std::vector<std::uint8_t>& answers) const {
+    for_each_timed(rays.size(), job, [&](std::size_t i) {
+        RTCIntersectContext context = context_of(coherence);
+        RTCRay ray = in_embree(rays[i]);
+        rtcOccluded1(inside_->scene, &context, &ray);
+        answers[i] = ray.tfar < 0;  // Embree's way to say yes
     });
 }
 

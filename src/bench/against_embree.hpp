@@ -1,25 +1,17 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "render/job.hpp"
+#include "bench/trace_certified.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox {
 
-/// The nearest hits of all pixels' rays, row by row from the top: the surface's number or engine::no_surface, and t.
-struct NearestHits {
-    std::vector<std::uint32_t> surface;
-    std::vector<float> t;
-
-    explicit NearestHits(const Scene& scene);
-};
-
-/// Finds them with the engine, certified: tiles of rays together, or each ray by itself.
-void trace_certified(const Scene& scene, const Job& job, NearestHits& hits);
-void trace_certified_one_by_one(const Scene& scene, const Job& job, NearestHits& hits);
+/// Whether rays that follow each other are near each other and run the same way: Embree wants to be told.
+enum class Coherence { none, high };
 
 /// A scene's only mesh in Embree.
 class EmbreeScene {
@@ -32,8 +24,11 @@ public:
     /// The bytes that Embree allocated for it, without the mesh itself.
     double bytes() const;
 
-    void trace_one_by_one(const Job& job, NearestHits& hits) const;
-    void trace_packets(const Job& job, NearestHits& hits) const;  ///< of 4 x 4 pixels
+    void trace(std::span<const Ray<float>> rays, Coherence coherence, const Job& job, NearestHits& hits) const;
+    /// 16 at a time. There must be a multiple of these.
+    void trace_packets(std::span<const Ray<float>> rays, const Job& job, NearestHits& hits) const;
+    void occluded(std::span<const Ray<float>> rays, Coherence coherence, const Job& job,
+                  std::vector<std::uint8_t>& answers) const;
 
     static std::string version();
 

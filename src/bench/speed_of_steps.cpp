@@ -10,9 +10,10 @@
 #include <tree.hpp>
 #include <walk.hpp>
 
-#include "bench/against_embree.hpp"
 #include "bench/meshes.hpp"
 #include "bench/runs.hpp"
+#include "bench/trace_certified.hpp"
+#include "render/pixel.hpp"
 #include "render/render.hpp"
 #include "render/search/build_engine.hpp"
 #include "render/search/surfaces.hpp"
@@ -74,13 +75,13 @@ void print_costs(const Scene& scene, int runs) {
     };
     const auto walk = [&](const Ray<double>& ray, const auto& test) { return engine::walk(tree, ray, test, silent); };
     const double few = std::max(4.0, 4e6 / static_cast<double>(triangles.size())), many = 1 << 16;
-    NearestHits hits(scene);
+    NearestHits hits(pixel_count(scene.width, scene.height));
     const Job one{1, {}, nullptr, build_engine(scene, 5)};
-    const Speeds speeds =
-        time_in_turn({{"plain", few, [&] { trace(few, plain); }},
-                      {"walk", many, [&] { trace(many, walk); }},
-                      {"engine", 1.0 * scene.width * scene.height, [&] { trace_certified(scene, one, hits); }}},
-                     runs);
+    const Speeds speeds = time_in_turn({{"plain", few, [&] { trace(few, plain); }},
+                                        {"walk", many, [&] { trace(many, walk); }},
+                                        {"engine", 1.0 * scene.width * scene.height,
+                                         [&] { trace_certified(seen, scene.width, scene.height, one, hits); }}},
+                                       runs);
     const auto nanoseconds = [&](std::size_t w) { return 1000 / spread(speeds[w]).median; };
     fmt::print("{},{:.4g},{:.4g},{:.4g}\n", triangles.size(), nanoseconds(0), nanoseconds(1), nanoseconds(2));
     if (sum < 0) fmt::print("{}\n", sum);

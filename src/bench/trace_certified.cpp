@@ -1,47 +1,53 @@
-#include "bench/against_embree.hpp"
+#include "bench/trace_certified.hpp"
+
+#include "bench/ray_lists.hpp"
 #include "render/pixel.hpp"
-#include "render/search/with_tracer.hpp"
+#include "render/search/fast_search.hpp"
 #include "render/tiles.hpp"
 
 namespace glassbox {
 
-NearestHits::NearestHits(const Scene& scene) : surface(pixel_count(scene.width, scene.height)), t(surface.size()) {}
-
 namespace {
 
-struct Tracing {
-    FastSearch search;
-    View view;
-    const Scene& scene;
-    NearestHits& hits;
+FastSearch search_of(const Job& job) { return {job.engine, Stable{}, Pluecker{}}; }
 
-    void alone(int x, int y) const {
-        const Silent silent;
-        const auto hit = search.trace(pixel_ray(view, x, y, scene.height), silent);
-        keep(x, y, hit ? static_cast<std::uint32_t>(hit->surface) : engine::no_surface, hit ? hit->t : 0);
-    }
+void keep(NearestHits& hits, std::size_t place, std::uint32_t surface, double t) {
+    hits.surface[place] = surface;
+    hits.t[place] = static_cast<float>(t);
+}
 
-    void keep(int x, int y, std::uint32_t surface, double t) const {
-        const std::size_t pixel = index_of({x, y}, scene.width);
-        hits.surface[pixel] = surface;
-        hits.t[pixel] = static_cast<float>(t);
-    }
-};
+void trace(const FastSearch& search, const Ray<double>& ray, NearestHits& hits, std::size_t place) {
+    const Silent silent;
+    const auto hit = search.trace(ray, silent);
+    keep(hits, place, hit ? static_cast<std::uint32_t>(hit->surface) : engine::no_surface, hit ? hit->t : 0);
+}
+
+/// Whether the ray meets anything. This is the one place for the engine's own call, once there is one:
+/// `return search.occluded(ray);`
+bool occluded(const FastSearch& search, const Ray<double>& ray) {
+    const Silent silent;
+    return search.trace(ray, silent).has_value();
+}
 
 }  // namespace
 
-void trace_certified(const Scene& scene, const Job& job, NearestHits& hits) {
-    const Tracing tracing{{job.engine, Stable{}, Pluecker{}}, view(scene, {}), scene, hits};
-    trace_tiles(*job.engine, tracing.view, scene.width, scene.height, job,
-                [&](int x, int y, std::uint32_t surface, double t) {
-                    if (surface == engine::not_told) tracing.alone(x, y);
-                    else tracing.keep(x, y, surface, t);
-                });
+void trace_certified(const View& view, int width, int height, const Job& job, NearestHits& hits) {
+    const FastSearch search = search_of(job);
+    trace_tiles(*job.engine, view, width, height, job, [&](int x, int y, std::uint32_t surface, double t) {
+        const std::size_t place = index_of({x, y}, width);
+        if (surface == engine::not_told) trace(search, pixel_ray(view, x, y, height), hits, place);
+        else keep(hits, place, surface, t);
+    });
 }
 
-void trace_certified_one_by_one(const Scene& scene, const Job& job, NearestHits& hits) {
-    const Tracing tracing{{job.engine, Stable{}, Pluecker{}}, view(scene, {}), scene, hits};
-    for_each_pixel(scene.width, scene.height, job, [&](int x, int y) { tracing.alone(x, y); });
+void trace_certified(std::span<const Ray<float>> rays, const Job& job, NearestHits& hits) {
+    const FastSearch search = search_of(job);
+    for_each_timed(rays.size(), job, [&](std::size_t i) { trace(search, convert<double>(rays[i]), hits, i); });
+}
+
+void occluded_certified(std::span<const Ray<float>> rays, const Job& job, std::vector<std::uint8_t>& answers) {
+    const FastSearch search = search_of(job);
+    for_each_timed(rays.size(), job, [&](std::size_t i) { answers[i] = occluded(search, convert<double>(rays[i])); });
 }
 
 }  // namespace glassbox

@@ -3,10 +3,12 @@
 #include <array>
 #include <baseline.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/runs.hpp"
+#include "cli/bench_cliffs.hpp"
 #include "cli/bench_embree.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
@@ -24,8 +26,11 @@ namespace {
 
 struct BenchRequest {
     std::vector<std::string> scenes{"levental-2014", "room"};
-    int runs = 7;
-    bool against_embree = false;
+    std::optional<int> runs;
+    bool against_embree = false, cliffs = false, markdown = false;
+    std::optional<int> rays_to_check;
+
+    int runs_or(int usual) const { return runs.value_or(usual); }
 };
 
 void print(const std::string& name, const std::vector<double>& speeds, const std::string& comparison = {}) {
@@ -85,7 +90,9 @@ void add_bench(CLI::App& program, Session& session) {
     const auto read_runs = [request](const std::string& typed) {
         request->runs = whole_number("--runs", typed, 1, 1000);
     };
-    command->add_option_function<std::string>("--runs", read_runs, "how many runs of each, in turn (default: 7)")
+    command
+        ->add_option_function<std::string>("--runs", read_runs,
+                                           "how many runs of each, in turn (default: 7; 9 against Embree, 5 of cliffs)")
         ->type_name("N");
     const auto read_against = [request](const std::string& typed) {
         if (typed != "embree") throw wrong("--against", fmt::format("'{}' is not known; it must be embree", typed));
@@ -95,14 +102,36 @@ void add_bench(CLI::App& program, Session& session) {
         ->add_option_function<std::string>("--against", read_against,
                                            "another tracer, on generated meshes: embree, where it was installed")
         ->type_name("embree");
+    command->add_flag("--cliffs", request->cliffs,
+                      "scenes and rays that could cost many times what ordinary ones do, beside these");
+    command->add_flag("--markdown", request->markdown, "the table of --cliffs for a page");
+    const auto read_checked = [request](const std::string& typed) {
+        request->rays_to_check = whole_number("--check", typed, 1, 1'000'000'000);
+    };
+    command
+        ->add_option_function<std::string>("--check", read_checked,
+                                           "how many rays the plain loop checks, of cliffs and of each kind of rays "
+                                           "against Embree (default: as many as take it some seconds)")
+        ->type_name("N");
     command->callback([request, &session] {
-        if (request->against_embree) return bench_against_embree(request->runs, session.interrupt.token());
+        if (request->against_embree) {
+            const bool all_right =
+                bench_against_embree(request->runs_or(9), request->rays_to_check, session.interrupt.token());
+            if (!all_right) throw CLI::RuntimeError(1);
+            return;
+        }
+        if (request->cliffs) {
+            const CliffRequest cliffs{request->runs_or(5), request->rays_to_check, request->markdown};
+            if (!bench_cliffs(cliffs, session.interrupt.token())) throw CLI::RuntimeError(1);
+            return;
+        }
+        const int runs = request->runs_or(7);
         std::vector<Scene> scenes;  // reads all before timing the first, so that a wrong name costs no minutes
         for (const std::string& name : request->scenes) scenes.push_back(read_scene(scene_path(name)));
         fmt::print("Million rays a second; {} of each, in turn: median (least ... greatest)\n",
-                   counted(static_cast<std::size_t>(request->runs), "run"));
+                   counted(static_cast<std::size_t>(runs), "run"));
         for (std::size_t i = 0; i < scenes.size(); ++i)
-            bench_scene(request->scenes[i], scenes[i], request->runs, session.interrupt.token());
+            bench_scene(request->scenes[i], scenes[i], runs, session.interrupt.token());
     });
 }
 

@@ -3,7 +3,7 @@
 
 namespace glassbox {
 
-void bench_against_embree(int, const std::stop_token&) {
+bool bench_against_embree(int, std::optional<int>, const std::stop_token&) {
     throw Error(
         "this program was built without Embree, version 3, to compare with. Install it (on Debian: sudo apt-get "
         "install "
