@@ -22,13 +22,6 @@ void trace(const FastSearch& search, const Ray<double>& ray, NearestHits& hits, 
     keep(hits, place, hit ? static_cast<std::uint32_t>(hit->surface) : engine::no_surface, hit ? hit->t : 0);
 }
 
-/// Whether the ray meets anything. This is the one place for the engine's own call, once there is one:
-/// `return search.occluded(ray);`
-bool occluded(const FastSearch& search, const Ray<double>& ray) {
-    const Silent silent;
-    return search.trace(ray, silent).has_value();
-}
-
 }  // namespace
 
 void trace_certified(const View& view, int width, int height, const Job& job, NearestHits& hits) {
@@ -47,7 +40,7 @@ void trace_certified(std::span<const Ray<float>> rays, const Job& job, NearestHi
 
 void occluded_certified(std::span<const Ray<float>> rays, const Job& job, std::vector<std::uint8_t>& answers) {
     const FastSearch search = search_of(job);
-    for_each_timed(rays.size(), job, [&](std::size_t i) { answers[i] = occluded(search, convert<double>(rays[i])); });
+    for_each_timed(rays.size(), job, [&](std::size_t i) { answers[i] = search.occluded(convert<double>(rays[i])); });
 }
 
 }  // namespace glassbox

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -6,6 +7,7 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
+#include "engine/copies.hpp"
 #include "engine/hierarchy.hpp"
 
 // How to use it, as search/fast_search.hpp does in full. Build, once for a scene:
@@ -20,8 +22,9 @@
 //       return found_one ? boxes->t_max(t) : t_max;
 //   });
 //
-// and surfaces in loose() are tested besides; where there is no BoxRay, all surfaces are. The rays of neighbouring
-// pixels are traced together: grid, then trace_tile (tile.hpp).
+// and surfaces in loose() are tested besides; who wants all that the ray meets asks about copies_of(surface), too. Where
+// there is no BoxRay, all surfaces are tested. One loop does all of that for the first hit of a ray: ray_kernel.hpp. The
+// rays of neighbouring pixels are traced together: grid, then trace_tile (tile.hpp).
 
 namespace glassbox::engine {
 
@@ -56,8 +59,19 @@ public:
     const Vec3<double>& middle() const { return middle_; }
     /// Around all surfaces of the hierarchy.
     const Box& around() const { return around_; }
+    /// How far from the middle nearly all of them reach; what lies beyond must not blur what floats say of the rest.
+    float near_reach() const { return near_reach_; }
     /// Surfaces so large that floats cannot hold their boxes: in no leaf, to be tested always.
     const std::vector<std::uint32_t>& loose() const { return loose_; }
+    /// The surfaces that are the same as this one and listed before it: in no leaf, for nobody sees them.
+    std::span<const Copy> copies_of(std::uint32_t surface) const {
+        if (copies_.empty()) return {};
+        const auto first = std::lower_bound(copies_.begin(), copies_.end(), Copy{surface, 0});
+        auto last = first;
+        while (last != copies_.end() && last->of == surface) ++last;
+        return {first, last};
+    }
+    const std::vector<Copy>& copies() const { return copies_; }
 
     Triangle<double> triangle(std::size_t surface) const {
         const std::uint32_t place = place_[surface - spheres_.size()];
@@ -81,11 +95,13 @@ public:
 private:
     std::vector<Sphere<double>> spheres_;
     std::vector<std::uint32_t> place_;  ///< of each triangle: its block, times 8, and where it stands there
-    std::vector<Block> blocks_;         ///< one for each leaf of triangles, in their order; then those of loose ones
+    std::vector<Block> blocks_;  ///< one for each leaf of triangles, in their order; then those of loose ones and copies
     Hierarchy hierarchy_;
     Vec3<double> middle_;
     Box around_;
+    float near_reach_ = 0;
     std::vector<std::uint32_t> loose_;
+    std::vector<Copy> copies_;
 };
 
 }  // namespace glassbox::engine

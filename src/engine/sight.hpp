@@ -10,8 +10,8 @@
 
 namespace glassbox::engine {
 
-/// A number that is linear in x, a point relative to the engine's middle: between w·x + low and w·x + high, whatever
-/// floats lose.
+/// A number that is linear in x, a point relative to the engine's middle and within its near reach: between w·x + low and
+/// w·x + high, whatever floats lose.
 struct Bounds {
     float w[3], low, high;
 };
@@ -26,6 +26,8 @@ struct Bounds {
 struct Sight {
     Bounds t, right, up;
     bool pinhole;
+    float near_reach;
+    bool some_beyond;  ///< of the engine's boxes lie not within that
 };
 
 /// The start of a tile's middle ray relative to the engine's middle, and its direction.
@@ -62,13 +64,16 @@ inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const 
     const double t_off = by_ray * size(n);
     if (!(by_ray * (size(U) + size(R)) * size(D) + (grid.pinhole ? 8 * t_off : 0) < off_by / 2)) return {};
     if (grid.pinhole && !(t_off < 0x1p-22)) return {};
-    const double reach = static_cast<double>(engine.around().reach());
+    const double reach = static_cast<double>(engine.near_reach());
     // Floats must not overflow: an infinity less another would be no number.
     const double most = std::max({size(R) * size(U), size(U) * size(D), size(D) * size(R)});
     if (!(most * (reach + size(middle.P)) < 0x1p100 * std::abs(volume))) return {};
     return Sight{bounds(n, middle.P, volume, size(R) * size(U), reach, grid.pinhole ? 0 : t_off),
                  bounds(cross(U, D), middle.P, volume, size(U) * size(D), reach, 0),
-                 bounds(cross(D, R), middle.P, volume, size(D) * size(R), reach, 0), grid.pinhole};
+                 bounds(cross(D, R), middle.P, volume, size(D) * size(R), reach, 0),
+                 grid.pinhole,
+                 engine.near_reach(),
+                 engine.around().reach() > engine.near_reach()};
 }
 
 /// What lies beyond this t lies behind something that is met at t: `bounds` and `sight` allow for 2⁻²².

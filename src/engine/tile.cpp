@@ -27,6 +27,7 @@ bool set_scales(Grid& grid, double direction, double distance) {
     if (!is_ordinary(direction) || !is_ordinary(distance)) return false;
     const int e = std::ilogb(distance) + 1;
     grid.direction_scale = std::ldexp(1, -2 * e - std::ilogb(direction));
+    grid.farthest = std::ldexp(1, e + 50);  // side products are then less than 2¹⁰⁴
     grid.key_scale = std::ldexp(1, grid.pinhole ? 3 * e : -3 * e);
     grid.key_of_t = grid.pinhole ? grid.key_scale * grid.direction_scale : grid.key_scale / grid.direction_scale;
     return true;
@@ -46,7 +47,7 @@ std::optional<Grid> grid(const Vec3<double>& eye, const ViewingPlane<double>& pl
     const Vec3<double> terms = plane_sizes(plane, width, height);
     g.ray_error = 12 * u * sum(terms);
     const double direction = sum(terms);
-    if (!set_scales(g, direction, engine.around().reach() + greatest(sizes(eye - engine.middle())))) return {};
+    if (!set_scales(g, direction, static_cast<double>(engine.near_reach()) + greatest(sizes(eye - engine.middle())))) return {};
     const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
     // A side product's terms add up to at most 2m²|D|, each rounded seven times; and B × A is at most 2m² along each
     // axis.
@@ -64,7 +65,8 @@ std::optional<Grid> grid(const Parallel<double>& view, int width, int height, co
     const Vec3<double> terms = plane_sizes(view.plane, width, height);
     g.ray_error = 12 * u * sum(terms);
     const double direction = sum(sizes(view.direction)), thickest = greatest(sizes(view.direction));
-    if (!set_scales(g, direction, engine.around().reach() + greatest(terms) + greatest(sizes(engine.middle()))))
+    const ViewingPlane<double> seen{view.plane.corner - engine.middle(), view.plane.right, view.plane.up};
+    if (!set_scales(g, direction, static_cast<double>(engine.near_reach()) + greatest(plane_sizes(seen, width, height))))
         return {};
     const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
     g.side1 = g.direction_scale * 20 * u * direction;

@@ -33,6 +33,8 @@ struct Grid {
     /// The powers of two by which directions, and what tells near from far, are multiplied: so that floats neither
     /// overflow nor underflow.
     double direction_scale = 1, key_scale = 1;
+    /// They would where a triangle has corners as far off as this.
+    double farthest = 0;
     /// |L − the ray's own number|, summed over the axes, for L and for the ray itself.
     double ray_error = 0;
     /// With m the largest coordinate of a triangle's vertices as seen from the rays: the errors of a side product are

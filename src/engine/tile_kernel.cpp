@@ -74,6 +74,14 @@ HWY_INLINE HWY_ATTR Mask<FanOfFloats::Tag> holds_a_ray(const Extent& extent) {
     return ceil(from) <= floor(to);
 }
 
+/// The children whose boxes are not within the engine's near reach: of these `Bounds` say nothing.
+HWY_INLINE HWY_ATTR std::uint32_t beyond_reach(const Node& node, float near_reach, std::size_t at) {
+    FanOfFloats most = 0.0f;
+    for (int k = 0; k < 3; ++k)
+        most = max(most, max(-FanOfFloats::load(node.side[Node::lo][k] + at), FanOfFloats::load(node.side[Node::hi][k] + at)));
+    return bits_of((most > near_reach) & (most < std::numeric_limits<float>::infinity()));
+}
+
 /// The children whose boxes some ray of the tile may meet, not beyond t_max; and the least t in each.
 HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& sight, float t_max, float (&entries)[fan_out]) {
     std::uint32_t met = 0;
@@ -86,6 +94,12 @@ HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& sight, float 
         const auto ahead = (t_most >= 0.0f) & (t_least <= t_max);
         t_least.store(entries + at);
         met |= bits_of(ahead & (holds_a_ray(extent(sight.right)) & holds_a_ray(extent(sight.up)))) << at;
+        if (!sight.some_beyond) continue;
+        for (std::uint32_t beyond = beyond_reach(node, sight.near_reach, at) << at; beyond != 0; beyond &= beyond - 1) {
+            const auto child = static_cast<std::uint32_t>(__builtin_ctz(beyond));
+            met |= 1u << child;
+            entries[child] = -std::numeric_limits<float>::infinity();
+        }
     }
     return met;
 }
@@ -108,7 +122,7 @@ public:
 
     HWY_ATTR void operator()() {
         const Hierarchy& hierarchy = engine_.hierarchy();
-        if (!engine_.loose().empty()) return give_up();
+        if (!engine_.loose().empty()) return give_up();  // they are tested in doubles, ray by ray
         if (hierarchy.nodes.empty()) return;
         const std::optional<Sight> seen = sight(engine_, grid_, {middle_.P - engine_.middle(), middle_.D});
         if (!seen) return give_up();
@@ -205,7 +219,9 @@ private:
     }
 
     HWY_ATTR void test_triangles(const Block& block) {
-        Triangles triangles = set_up(tile_rays(grid_, middle_, farthest_vertex(block)), block, least_key_);
+        const double m = farthest_vertex(block);
+        if (!(m < grid_.farthest)) return give_up();
+        Triangles triangles = set_up(tile_rays(grid_, middle_, m), block, least_key_);
         if (triangles.left == 0) return;
         std::uint32_t in_quarter[quarters];
         sort_out(triangles, in_quarter);
@@ -224,7 +240,7 @@ private:
         double most = 0;
         for (int k = 0; k < 3; ++k)
             most = std::max({most, static_cast<double>(block.hi[k]) - at[k], at[k] - static_cast<double>(block.lo[k])});
-        return most * (1 + 0x1p-40) + static_cast<double>(engine_.around().reach()) * 0x1p-40;
+        return (most + std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])}) * 0x1p-40) * (1 + 0x1p-40);
     }
 
     /// Which of the triangles rays of a quarter may hit, before all that was met there: by the greatest numbers there.

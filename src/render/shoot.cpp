@@ -45,18 +45,11 @@ Shot shot(const Search& search, const Ray<double>& ray) {
             .by_filter = by_filter};
 }
 
-RayBounds reach(std::span<const Ray<double>> rays) {
-    RayBounds all;
-    for (const Ray<double>& ray : rays)
-        if (is_valid(ray)) all = including(all, ray);
-    return all;
-}
-
 }  // namespace
 
 std::vector<Shot> shoot(const Scene& scene, const Options& options, std::span<const Ray<double>> rays, const Job& job) {
     std::vector<Shot> shots(rays.size());
-    with_search<CountHits>(scene, options, reach(rays), job, [&](const auto& search) {
+    with_search<CountHits>(scene, options, reach_of(rays), job, [&](const auto& search) {
         for_each_index(rays.size(), job, [&](std::size_t i) {
             if (is_valid(rays[i])) shots[i] = shot(search, rays[i]);
         });

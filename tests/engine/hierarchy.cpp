@@ -80,7 +80,7 @@ struct Inspection {
 
 }  // namespace
 
-TEST_CASE("every surface is in one leaf, and in every box above it") {
+TEST_CASE("every surface is in one leaf, and in every box above it, but for copies") {
     for (const std::size_t count : std::initializer_list<std::size_t>{1, 2, 7, 8, 9, 100, 3000}) {
         Surfaces<double> all = many(count);
         const Engine engine(all.spheres, all.triangles, 1);
@@ -88,6 +88,11 @@ TEST_CASE("every surface is in one leaf, and in every box above it") {
         REQUIRE(engine.size() == count);
         Inspection inspection{engine, std::vector<int>(count), 0};
         inspection.inspect(0, engine.around().lo, engine.around().hi);
+        for (const Copy& copy : engine.copies()) {
+            CHECK(inspection.seen[copy.surface] == 0);
+            CHECK(copy.of > copy.surface);
+            ++inspection.seen[copy.surface];
+        }
         CHECK(std::all_of(inspection.seen.begin(), inspection.seen.end(), [](int times) { return times == 1; }));
         CHECK(inspection.outside == 0);
     }
@@ -100,6 +105,25 @@ TEST_CASE("surfaces come out as they went in") {
         const Triangle<double> t = engine.triangle(all.spheres.size() + i);
         CHECK((t.A == all.triangles[i].A && t.B == all.triangles[i].B && t.C == all.triangles[i].C));
     }
+}
+
+TEST_CASE("of surfaces that are the same the last is kept, and the others are its copies") {
+    const Triangle<double> one{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, turned{one.B, one.C, one.A}, mirrored{one.B, one.A, one.C};
+    // In one plane and one box, but another triangle.
+    const Triangle<double> other{{1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<Sphere<double>> spheres{{{0, 0, 0}, 1}, {{0, 0, 0}, 2}, {{0, 0, 0}, 1}};
+    const std::vector<Triangle<double>> triangles{one, other, turned, mirrored};
+    const Engine engine(spheres, triangles, 1);
+    // Spheres are numbers 0 to 2, triangles 3 to 6: 0 is the same as 2, and 3 and 5 the same as 6.
+    const std::vector<Copy>& copies = engine.copies();
+    REQUIRE(copies.size() == 3);
+    CHECK((copies[0].of == 2 && copies[0].surface == 0));
+    CHECK((copies[1].of == 6 && copies[1].surface == 3));
+    CHECK((copies[2].of == 6 && copies[2].surface == 5));
+    CHECK(engine.copies_of(6).size() == 2);
+    CHECK(engine.copies_of(4).empty());
+    CHECK(engine.triangle(3).A == one.A);
+    CHECK(engine.triangle(5).A == turned.A);
 }
 
 TEST_CASE("surfaces too large for floats are in no leaf") {

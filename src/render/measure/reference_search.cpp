@@ -112,7 +112,10 @@ void ReferenceSearch::for_each_tested(const Ray<double>& ray, engine::FunctionRe
     const auto ask_leaf = [&](std::uint32_t leaf, float t_max) {
         const auto& leaves = engine::Child::is_of_spheres(leaf) ? hierarchy.sphere_leaves : hierarchy.triangle_leaves;
         const auto [first, count] = leaves[engine::Child::index(leaf)];
-        for (std::uint32_t i = first; i < first + count; ++i) ask(hierarchy.surfaces[i]);
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            ask(hierarchy.surfaces[i]);
+            for (const engine::Copy& copy : engine_->copies_of(hierarchy.surfaces[i])) ask(copy.surface);
+        }
         return t_max;  // on to the end: all hits are wanted
     };
     engine::traverse(hierarchy, *boxes, std::numeric_limits<float>::infinity(), ask_leaf);

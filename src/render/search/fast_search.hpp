@@ -154,17 +154,30 @@ private:
             const std::uint32_t index = engine::Child::index(leaf);
             if (engine::Child::is_of_spheres(leaf)) {
                 const auto [first, count] = all.hierarchy().sphere_leaves[index];
-                for (std::uint32_t i = 0; i < count; ++i) test(all.hierarchy().surfaces[first + i]);
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    test(all.hierarchy().surfaces[first + i]);
+                    test_copies_of(all.hierarchy().surfaces[first + i]);
+                }
                 return;
             }
             const engine::Block& block = all.blocks()[index];
             if constexpr (OnlyVerdicts<Probe>) {
-                for (std::uint32_t rest = engine::not_missed(block, ray); rest != 0; rest &= rest - 1)
+                for (std::uint32_t rest = engine::not_missed(block, ray); rest != 0; rest &= rest - 1) {
                     search.predicates_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
+                    test_copies_of(block.surface[std::countr_zero(rest)]);
+                }
             } else {
-                for (std::uint32_t at = 0; at < block.count; ++at)
+                for (std::uint32_t at = 0; at < block.count; ++at) {
                     search.predicates_.test(best, ray, block.triangle(at), block.surface[at], probe);
+                    test_copies_of(block.surface[at]);
+                }
             }
+        }
+
+        /// Nobody sees them; who wants all that the ray meets wants them, too.
+        void test_copies_of(std::uint32_t surface) {
+            if constexpr (!OnlyNearest<Probe>)
+                for (const engine::Copy& copy : search.engine().copies_of(surface)) test(copy.surface);
         }
     };
 

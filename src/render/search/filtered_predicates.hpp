@@ -55,14 +55,20 @@ public:
 
     const Store& store() const { return store_; }
 
-    /// Tests one surface, and makes it the best so far if the ray meets it first of all.
+    /// Tests one surface, and makes it the best so far if the ray meets it first of all. `errors` bound the rounding of
+    /// this test.
+    template <class Shape, class Errors, class Probe>
+    void test(std::optional<ProvenHit>& best, const Ray<double>& ray, const Shape& shape, std::size_t surface,
+              const Errors& errors, Probe& probe) const {
+        DecidingNumbers numbers{probe, sides_decide()};
+        intersect(ray, shape, rule_for(shape), numbers);
+        const bool is_missed = numbers.of_a_miss > deciding(errors);
+        if (!is_missed) consider(best, ray, surface, probe);
+    }
     template <class Shape, class Probe>
     void test(std::optional<ProvenHit>& best, const Ray<double>& ray, const Shape& shape, std::size_t surface,
               Probe& probe) const {
-        DecidingNumbers numbers{probe, sides_decide()};
-        intersect(ray, shape, rule_for(shape), numbers);
-        const bool is_missed = numbers.of_a_miss > deciding(store_.errors(shape, surface, ray));
-        if (!is_missed) consider(best, ray, surface, probe);
+        test(best, ray, shape, surface, store_.errors(shape, surface, ray), probe);
     }
 
     /// Makes a surface the best so far if the ray meets it, and no farther away. For those that `test`, or the engine,

@@ -133,6 +133,9 @@ BoxesInWords in_words(const BoxLevels& levels, const BoxesOnLevel& shown, const 
     if (loose > 0)
         words.whole += fmt::format(" {} {} too large for a box, and always tested.", loose,
                                    plural(loose, "surface is", "surfaces are"));
+    if (const std::size_t copies = levels.engine->copies().size(); copies > 0)
+        words.whole += fmt::format(" {} {} the same as another one, and never seen.", copies,
+                                   plural(copies, "surface is", "surfaces are"));
     if (!engine_draws)
         words.whole += " This picture is drawn without boxes: its scalar or rule has only the plain loop.";
     return words;
