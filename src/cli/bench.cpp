@@ -29,6 +29,7 @@ struct BenchRequest {
     std::optional<int> runs;
     bool against_embree = false, cliffs = false, markdown = false;
     std::optional<int> rays_to_check;
+    std::string only;
 
     int runs_or(int usual) const { return runs.value_or(usual); }
 };
@@ -104,6 +105,8 @@ void add_bench(CLI::App& program, Session& session) {
         ->type_name("embree");
     command->add_flag("--cliffs", request->cliffs,
                       "scenes and rays that could cost many times what ordinary ones do, beside these");
+    command->add_option("--only", request->only, "of --cliffs, only the cases whose names contain this")
+        ->type_name("TEXT");
     command->add_flag("--markdown", request->markdown, "the table of --cliffs for a page");
     const auto read_checked = [request](const std::string& typed) {
         request->rays_to_check = whole_number("--check", typed, 1, 1'000'000'000);
@@ -121,7 +124,7 @@ void add_bench(CLI::App& program, Session& session) {
             return;
         }
         if (request->cliffs) {
-            const CliffRequest cliffs{request->runs_or(5), request->rays_to_check, request->markdown};
+            const CliffRequest cliffs{request->runs_or(5), request->rays_to_check, request->only, request->markdown};
             if (!bench_cliffs(cliffs, session.interrupt.token())) throw CLI::RuntimeError(1);
             return;
         }

@@ -4,12 +4,14 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "bench/cliffs/cliff.hpp"
 #include "bench/cliffs/timed.hpp"
 #include "bench/runs.hpp"
 #include "cli/progress.hpp"
 #include "engine/kernels.hpp"
+#include "render/typed.hpp"
 #include "scene/suggestion.hpp"
 
 namespace glassbox {
@@ -56,7 +58,9 @@ void print(const Row& row, bool markdown) {
 }  // namespace
 
 bool bench_cliffs(const CliffRequest& request, const std::stop_token& stop) {
-    const std::vector<Cliff> cliffs = all_cliffs();
+    std::vector<Cliff> cliffs = all_cliffs();
+    std::erase_if(cliffs, [&](const Cliff& cliff) { return cliff.name.find(request.only) == std::string::npos; });
+    if (cliffs.empty()) throw wrong("--only", fmt::format("no case's name contains '{}'", request.only));
     if (!request.markdown)
         fmt::print(
             "Nanoseconds a ray, on one thread, beside an ordinary scene of the same size; {} of each, in turn: "
@@ -76,8 +80,7 @@ bool bench_cliffs(const CliffRequest& request, const std::stop_token& stop) {
             ++progress.done();
         }
     }
-    fmt::print("\n{} of {} reach their goals; {} of all rays checked {} wrong.\n", reached, cliffs.size(),
-               wrong == 0 ? "none" : fmt::to_string(wrong), wrong == 1 ? "is" : "are");
+    fmt::print("\n{} of {} reach their goals; wrong answers: {}\n", reached, cliffs.size(), wrong);
     return wrong == 0;
 }
 

@@ -8,6 +8,7 @@ namespace glassbox {
 struct CliffRequest {
     int runs = 5;
     std::optional<int> rays_to_check;  ///< none: as many as the plain loop can do in a second
+    std::string only;                  ///< the cases whose names contain this
     bool markdown = false;             ///< as a table for docs/speed-cliffs.md
 };
 

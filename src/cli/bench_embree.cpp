@@ -124,7 +124,9 @@ void bench_mesh(const std::string& name, const Scene& scene, int runs, std::opti
     const std::vector<Ray<float>> camera = camera_rays(view, side);
     NearestHits alone(camera.size());
     trace_certified(camera, all, alone);
-    const auto [ways, lit] = rays_from_surfaces(scene, camera, alone.surface, {0.6f, -0.5f, 0.4f});
+    const RaysFromSurfaces from_surfaces = rays_from_surfaces(scene, camera, alone.surface, {0.6f, -0.5f, 0.4f});
+    const auto& ways = from_surfaces.all_ways;
+    const auto& lit = from_surfaces.towards_light;
 
     // The hits of tiles are in the order of pixels, all others in that of the lists of rays.
     NearestHits tiles(camera.size()), tiles_all(camera.size()), packets(camera.size()), fast_packets(camera.size());

@@ -108,6 +108,8 @@ TEST_CASE("values of options") {
         {render({"--light", "1,2,inf"}), {"--light: '1,2,inf' must be X,Y,Z"}},
         {render({"--light", "0,0,0"}), {"--light: '0,0,0' is 0 in x, y and z; it must have a direction"}},
         {render({"--light", "1e200,0,0"}), {"--light: '1e200,0,0' has the size 1e+200", "from 1e-150 to 1e150"}},
+        {{"bench", "--cliffs", "--only", "nonesuch"}, {"--only: no case's name contains 'nonesuch'"}},
+        {{"bench", "--against", "embree", "--check", "0"}, {"--check: '0' must be a whole number from 1"}},
         {{"view", "s.toml", "--mine=8"}, {"glassbox view: error: --mine: '8' must be a lesson, 1 to 7, or all"}},
         {{"view", "s.toml", "--mine=alll"}, {"--mine: 'alll' must be a lesson, 1 to 7, or all"}},
         {render({"--sphere", "round"}), {"--sphere: 'round' is not known", "'stable', 'textbook'"}},

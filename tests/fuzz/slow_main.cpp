@@ -111,11 +111,13 @@ private:
         return nanoseconds_a_ray(drawn) / known->second;
     }
 
-    /// Writes the scene without the surfaces that do not matter: as long as it keeps half of its ratio.
+    /// Writes the scene without surfaces that do not matter, as many as can be found in some seconds: it must keep half
+    /// of its ratio.
     void keep(std::uint64_t seed, Drawn drawn, double its_ratio) {
+        const auto end = Clock::now() + std::chrono::seconds(5);
         const auto shrink = [&](auto list_of) {
             for (std::size_t count = (drawn.surfaces.*list_of).size() / 2; count > 0; count /= 2)
-                for (std::size_t from = 0; from < (drawn.surfaces.*list_of).size();) {
+                for (std::size_t from = 0; from < (drawn.surfaces.*list_of).size() && Clock::now() < end;) {
                     Drawn fewer = drawn;
                     auto& list = fewer.surfaces.*list_of;
                     const auto begin = list.begin() + static_cast<std::ptrdiff_t>(from);

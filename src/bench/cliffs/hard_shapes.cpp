@@ -28,6 +28,29 @@ Traced long_triangles(double thin, int side) {
     return {with(seen_from({0, 0, 4}, {0, 0, 0}, side), separate_triangles(thousand, corner))};
 }
 
+/// Long triangles seen by parallel rays from above; if `step` is not 0 with corners at multiples of it, many of them
+/// on rays, and edges that cross there.
+Traced on_a_lattice(double step, int side) {
+    Random random(13);
+    const auto corner = [&](std::uint32_t, std::uint32_t) {
+        const Vec3<double> p = random_point(random, 0, 1);
+        if (step == 0) return p;
+        const auto multiple = [step](double a) { return std::round(a / step) * step; };
+        return Vec3<double>{multiple(p.x), multiple(p.y), multiple(p.z)};
+    };
+    return {with(seen_from_above(1, side), separate_triangles(thousand, corner))};
+}
+
+/// Triangles that all have one edge in common.
+Traced about_an_edge(int side) {
+    Random random(15);
+    const auto corner = [&](std::uint32_t, std::uint32_t k) {
+        const Vec3<double> third = random_point(random, -1, 1);
+        return k == 0 ? Vec3<double>{-0.5, 0, 1} : k == 1 ? Vec3<double>{0.5, 0.25, 1} : third;
+    };
+    return {with(seen_from({0, 0, 4}, {0, 0, 0}, side), separate_triangles(thousand, corner))};
+}
+
 /// A thousand triangles that fill the picture, a little way one behind the other.
 Traced layers(int side) {
     const Vec3<double> corners[3]{{-3, -2, 0.25}, {3, -2, 0}, {0, 4, 0}};
@@ -83,6 +106,10 @@ std::vector<Cliff> cliffs_of_shapes() {
         {"1,000 slivers, a millionth as wide as long", 5, "1,000 triangles of that length",
          [](int side) { return long_triangles(1e-6, side); }, [](int side) { return long_triangles(0.3, side); }},
         {"1,000 triangles one behind the other", 5, "hills of 968 triangles", layers, thousand_hills},
+        {"1,000 long triangles with corners in eighths", 10, "with any corners",
+         [](int side) { return on_a_lattice(0.125, side); }, [](int side) { return on_a_lattice(0, side); }},
+        {"1,000 triangles about one edge", 5, "1,000 triangles of that length", about_an_edge,
+         [](int side) { return long_triangles(0.3, side); }},
         {"1,000 triangles without area", 5, "hills of 968 triangles", without_area, thousand_hills},
         {"3,200 triangles in a plane, the eye in it", 5, "the eye over it", [](int side) { return flat(0, side); },
          [](int side) { return flat(1, side); }},

@@ -57,6 +57,25 @@ Cliff scaled(int exponent) {
             [scale](int side) { return Traced{knot(128, side, scale)}; }, small_knot};
 }
 
+/// Hills of 3,042 triangles seen by parallel rays; the direction stays as long as it is.
+Traced from_above(double scale, int side) {
+    Scene scene = with(seen_from_above(2 * scale, side), moved(terrain(39), scale, {scale, scale, 0}));
+    std::get<ParallelView>(scene.view).corner.z = 4 * scale;
+    return {scene};
+}
+
+/// Spheres of radii from 2⁻²⁰ to 1/8, and a triangle under them.
+Traced on_a_floor(double size, int side) {
+    Random random(11);
+    Scene scene = with(seen_from({0, 0, 4}, {0, 0, 0}, side),
+                       ColoredTriangle{{{{-size, -1.5, -size}, {size, -1.5, -size}, {0, -1.5, size}}}, grey});
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3<double> centre = random_point(random, -1, 1);
+        scene.spheres.push_back({centre, std::exp2(random.between(-20, -3)), grey});
+    }
+    return {scene};
+}
+
 /// A ball of 81,920 triangles.
 Traced large_scene(double scale, int side) {
     return {with(seen_from({0, 0, 3 * scale}, {0, 0, 0}, side), moved(icosphere(6), scale, {}))};
@@ -117,10 +136,16 @@ std::vector<Cliff> cliffs_of_scale() {
         scaled(-50),
         scaled(-100),
         scaled(-400),
+        scaled(-20),
+        scaled(20),
         scaled(50),
         scaled(400),
         {"a scene of 81,920 triangles at scale 2^-60", 1.2, "the same at scale 1",
          [](int side) { return large_scene(0x1p-60, side); }, [](int side) { return large_scene(1, side); }},
+        {"parallel rays from above, all at scale 2^20", 1.2, "the same at scale 1",
+         [](int side) { return from_above(0x1p20, side); }, [](int side) { return from_above(1, side); }},
+        {"1,000 spheres of all sizes on a floor of 1e4", 3, "on a floor of 10",
+         [](int side) { return on_a_floor(1e4, side); }, [](int side) { return on_a_floor(10, side); }},
         {"the eye inside a big sphere", 2, "a ball behind the knot",
          [](int side) {
              return and_ball({{0, 0, 0}, 100, grey}, side);
