@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -89,12 +91,21 @@ struct BesideEmbree {
     bool all_right = true;
 };
 
-void print(const Work& work, const std::vector<double>& speeds, std::size_t wrong, const std::string& comparison) {
-    fmt::print("    {:<30} {:<26} {:>6} wrong   {}\n", work.name, to_text(spread(nanoseconds(speeds))), wrong,
-               comparison);
-}
+/// Something that is timed, and how many of its answers are wrong.
+struct EmbreeRow {
+    std::string name;
+    bool is_ours;
+    std::size_t beside;  ///< the row that its speed is compared with: one of ours, of the same kind of rays
+    std::function<void()> run;
+    std::function<std::size_t(const CheckedRays&)> count_wrong;
+};
 
-std::string times_as_fast(const Spread& ratios) { return "certified is " + to_text(ratios) + " times as fast"; }
+/// Rays of one kind, and what traces them.
+struct KindOfRays {
+    std::string name;
+    const std::vector<Ray<float>>& list;
+    std::vector<EmbreeRow> rows;
+};
 
 /// Builds it several times, and prints how long that takes.
 std::shared_ptr<const engine::Engine> build(const Scene& scene, const EmbreeScene& robust, const EmbreeScene& fast) {
@@ -110,6 +121,45 @@ std::shared_ptr<const engine::Engine> build(const Scene& scene, const EmbreeScen
                to_text(spread(seconds)), static_cast<double>(engine->bytes()) / triangles, robust.build_seconds(),
                robust.bytes() / triangles, fast.build_seconds(), fast.bytes() / triangles);
     return engine;
+}
+
+/// The pixel, row by row, of each place in the list of camera rays.
+std::vector<std::size_t> pixels_of_places(int side) {
+    std::vector<std::size_t> pixels(pixel_count(side, side));
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            pixels[place_of_pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))] =
+                index_of({x, y}, side);
+    return pixels;
+}
+
+/// The speeds of all rows, kind by kind; all are timed in turn.
+Speeds time_in_turn(const std::vector<KindOfRays>& kinds, int runs) {
+    std::vector<Work> works;
+    for (const KindOfRays& kind : kinds)
+        for (const EmbreeRow& row : kind.rows)
+            works.push_back({row.name, static_cast<double>(kind.list.size()), row.run});
+    Progress progress("timing", static_cast<std::int64_t>(works.size()) * runs);
+    return time_in_turn(works, runs, &progress.done());
+}
+
+/// `speeds` are those of the kind's rows.
+void print_kind(const KindOfRays& kind, const CheckedRays& checked, const std::vector<double>* speeds,
+                BesideEmbree& results) {
+    const bool are_all = checked.places.size() == kind.list.size();
+    fmt::print("  {}: {}; the plain loop checks {}\n", kind.name, kind.list.size(),
+               are_all ? "all" : fmt::to_string(checked.places.size()));
+    for (std::size_t i = 0; i < kind.rows.size(); ++i) {
+        const EmbreeRow& row = kind.rows[i];
+        const std::size_t wrong = row.count_wrong(checked);
+        if (row.is_ours && wrong > 0) results.all_right = false;
+        std::string comparison;
+        if (!row.is_ours)
+            comparison = "certified is " + to_text(ratio(speeds[row.beside], speeds[i])) + " times as fast";
+        else if (row.beside != i) comparison = to_text(ratio(speeds[i], speeds[row.beside])) + " times one thread";
+        fmt::print("    {:<30} {:<26} {:>6} wrong   {}\n", row.name, to_text(spread(nanoseconds(speeds[i]))), wrong,
+                   comparison);
+    }
 }
 
 void bench_mesh(const std::string& name, const Scene& scene, int runs, std::optional<int> rays_to_check,
@@ -132,72 +182,63 @@ void bench_mesh(const std::string& name, const Scene& scene, int runs, std::opti
     NearestHits tiles(camera.size()), tiles_all(camera.size()), packets(camera.size()), fast_packets(camera.size());
     NearestHits embrees(camera.size()), fast_embrees(camera.size()), way_hits(ways.size()), way_embrees(ways.size());
     std::vector<std::uint8_t> shadows(lit.size()), shadows_embrees(lit.size());
-    const auto rays = static_cast<double>(camera.size()), others = static_cast<double>(ways.size());
-    constexpr auto near_each_other = Coherence::high, scattered = Coherence::none;
-    const std::vector<Work> works{
-        {"certified, tiles, 1 thread", rays, [&] { trace_certified(view, side, side, one, tiles); }},
-        {"certified, tiles, all threads", rays, [&] { trace_certified(view, side, side, all, tiles_all); }},
-        {"Embree, robust, packets of 16", rays, [&] { robust.trace_packets(camera, one, packets); }},
-        {"Embree, packets of 16", rays, [&] { fast.trace_packets(camera, one, fast_packets); }},
-        {"certified, ray by ray", rays, [&] { trace_certified(camera, one, alone); }},
-        {"Embree, robust, ray by ray", rays, [&] { robust.trace(camera, near_each_other, one, embrees); }},
-        {"Embree, ray by ray", rays, [&] { fast.trace(camera, near_each_other, one, fast_embrees); }},
-        {"certified, ray by ray", others, [&] { trace_certified(ways, one, way_hits); }},
-        {"Embree, robust, ray by ray", others, [&] { robust.trace(ways, scattered, one, way_embrees); }},
-        {"certified, any hit", others, [&] { occluded_certified(lit, one, shadows); }},
-        {"Embree, robust, any hit", others, [&] { robust.occluded(lit, near_each_other, one, shadows_embrees); }},
+    const std::vector<std::size_t> pixels = pixels_of_places(side);
+    const auto of_list = [](const auto& answers) {
+        return [&answers](const CheckedRays& checked) { return count_wrong(checked, answers); };
     };
-    const Speeds speeds = [&] {
-        Progress progress("timing", static_cast<std::int64_t>(works.size()) * runs);
-        return time_in_turn(works, runs, &progress.done());
-    }();
-
-    const auto ours = [&](std::size_t w, std::size_t wrong, const std::string& comparison = {}) {
-        results.all_right = results.all_right && wrong == 0;
-        print(works[w], speeds[w], wrong, comparison);
+    const auto of_picture = [&pixels](const NearestHits& hits) {
+        return [&pixels, &hits](const CheckedRays& checked) {
+            return count_wrong(
+                checked, [&](std::size_t place, std::uint32_t met) { return hits.surface[pixels[place]] == met; });
+        };
     };
-    const auto theirs = [&](std::size_t w, std::size_t wrong, std::size_t beside) {
-        print(works[w], speeds[w], wrong, times_as_fast(ratio(speeds[beside], speeds[w])));
+    constexpr auto alike = Coherence::high, scattered = Coherence::none;
+    constexpr bool ours = true, theirs = false;
+    const std::vector<KindOfRays> kinds{
+        {"camera rays",
+         camera,
+         {
+             {"certified, tiles, 1 thread", ours, 0, [&] { trace_certified(view, side, side, one, tiles); },
+              of_picture(tiles)},
+             {"certified, tiles, all threads", ours, 0, [&] { trace_certified(view, side, side, all, tiles_all); },
+              of_picture(tiles_all)},
+             {"Embree, robust, packets of 16", theirs, 0, [&] { robust.trace_packets(camera, one, packets); },
+              of_list(packets)},
+             {"Embree, packets of 16", theirs, 0, [&] { fast.trace_packets(camera, one, fast_packets); },
+              of_list(fast_packets)},
+             {"certified, ray by ray", ours, 4, [&] { trace_certified(camera, one, alone); }, of_list(alone)},
+             {"Embree, robust, ray by ray", theirs, 4, [&] { robust.trace(camera, alike, one, embrees); },
+              of_list(embrees)},
+             {"Embree, ray by ray", theirs, 4, [&] { fast.trace(camera, alike, one, fast_embrees); },
+              of_list(fast_embrees)},
+         }},
+        {"rays from the surfaces, in all directions",
+         ways,
+         {
+             {"certified, ray by ray", ours, 0, [&] { trace_certified(ways, one, way_hits); }, of_list(way_hits)},
+             {"Embree, robust, ray by ray", theirs, 0, [&] { robust.trace(ways, scattered, one, way_embrees); },
+              of_list(way_embrees)},
+         }},
+        {"shadow rays, from the surfaces to a light",
+         lit,
+         {
+             {"certified, any hit", ours, 0, [&] { occluded_certified(lit, one, shadows); }, of_list(shadows)},
+             {"Embree, robust, any hit", theirs, 0, [&] { robust.occluded(lit, alike, one, shadows_embrees); },
+              of_list(shadows_embrees)},
+         }},
     };
-    const auto heading = [](const std::string& what, std::size_t count, const CheckedRays& checked) {
-        const bool are_all = checked.places.size() == count;
-        fmt::print("  {}: {}; the plain loop checks {}\n", what, count,
-                   are_all ? "all" : fmt::to_string(checked.places.size()));
-    };
+    const Speeds speeds = time_in_turn(kinds, runs);
 
-    const CheckedRays of_camera = check(scene, camera, rays_to_check, all);
-    std::vector<std::size_t> pixels(camera.size());
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
-            pixels[place_of_pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))] =
-                index_of({x, y}, side);
-    const auto wrong_in = [&](const NearestHits& picture) {
-        return count_wrong(of_camera,
-                           [&](std::size_t place, std::uint32_t met) { return picture.surface[pixels[place]] == met; });
-    };
-    heading("camera rays", camera.size(), of_camera);
-    ours(0, wrong_in(tiles));
-    ours(1, wrong_in(tiles_all), to_text(ratio(speeds[1], speeds[0])) + " times one thread");
-    theirs(2, count_wrong(of_camera, packets), 0);
-    theirs(3, count_wrong(of_camera, fast_packets), 0);
-    ours(4, count_wrong(of_camera, alone));
-    theirs(5, count_wrong(of_camera, embrees), 4);
-    theirs(6, count_wrong(of_camera, fast_embrees), 4);
-
-    const CheckedRays of_ways = check(scene, ways, rays_to_check, all);
-    heading("rays from the surfaces, in all directions", ways.size(), of_ways);
-    ours(7, count_wrong(of_ways, way_hits));
-    theirs(8, count_wrong(of_ways, way_embrees), 7);
-
-    const CheckedRays of_shadows = check(scene, lit, rays_to_check, all);
-    heading("shadow rays, from the surfaces to a light", lit.size(), of_shadows);
-    ours(9, count_wrong(of_shadows, shadows));
-    theirs(10, count_wrong(of_shadows, shadows_embrees), 9);
-
+    std::size_t first = 0;
+    for (const KindOfRays& kind : kinds) {
+        print_kind(kind, check(scene, kind.list, rays_to_check, all), &speeds[first], results);
+        first += kind.rows.size();
+    }
     results.tiles.take(ratio(speeds[0], speeds[2]), name + ", camera rays");
     results.ray_by_ray.take(ratio(speeds[4], speeds[5]), name + ", camera rays");
     results.ray_by_ray.take(ratio(speeds[7], speeds[8]), name + ", rays from the surfaces");
     results.ray_by_ray.take(ratio(speeds[9], speeds[10]), name + ", shadow rays");
+    std::fflush(stdout);
 }
 
 }  // namespace
