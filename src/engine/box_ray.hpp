@@ -12,33 +12,51 @@
 
 namespace glassbox::engine {
 
-/// A ray as the boxes of a hierarchy are tested against it: in floats, so that no box is passed over that holds a point
-/// of the true ray. After Ize, "Robust BVH Ray Traversal" (2013), for rays that are given in doubles.
+/// A ray as the engine sees it, whatever the scale of the scene and of the ray's own direction, and however far off it
+/// starts.
 ///
-/// The ray enters the slab between lo and hi of an axis at (lo − P)/D and leaves it at (hi − P)/D (D < 0: the other way
-/// round), and meets the box if it enters the last of the three slabs no later than it leaves the first. Here:
-/// - P is moved along the ray, by t₀, if it lies so far off that floats could not tell lo from P: to where the hierarchy
-///   begins. What doubles lose of it is e_k = 2⁻⁵¹(|P_k| + |t₀D_k|).
-/// - P ± e is rounded to floats so that the ray enters too early and leaves too late.
-/// - What is left is the rounding of lo − P, of 1/D, and of their product, relatively by (1 + u)⁵, u = 2⁻²⁴. It keeps
+/// It runs along d, the direction divided by a power of two that makes its largest coordinate 1 to 2; it starts at the
+/// scene's scale (Engine::scale), and where it lies so far off that floats could not tell a box from its start, moved
+/// along itself to where the hierarchy begins. Its own t counts in lengths of d from there.
+///
+/// The boxes are tested in floats, so that none is passed over that holds a point of the true ray. After Ize, "Robust BVH
+/// Ray Traversal" (2013), for rays that are given in doubles. The ray enters the slab between lo and hi of an axis at
+/// (lo − P)/d and leaves it at (hi − P)/d (d < 0: the other way round), and meets the box if it enters the last of the
+/// three slabs no later than it leaves the first. Here:
+/// - P is known but for `start_error`, and so rounded to floats that the ray enters too early and leaves too late.
+/// - What is left is the rounding of lo − P, of 1/d, and of their product, relatively by (1 + u)⁵, u = 2⁻²⁴. It keeps
 ///   signs, so that comparing an entry ≥ 0 with 1 + 2⁻²⁰ > ((1 + u)/(1 − u))⁵ times the exit is on the safe side.
-/// - Along an axis where D is 0, or nearly, P stays where it is as long as the ray is in the hierarchy. Entry and exit
+/// - Along an axis where d is 0, or nearly, P stays where it is as long as the ray is in the hierarchy. Entry and exit
 ///   become ∓2¹²⁷ times its distance to a slab that is made a little wider, and so lie beyond all others if P is inside.
-///
-/// t counts in lengths of D divided by a power of two that makes its largest coordinate 1 to 2.
 struct BoxRay {
     float near_from[3], far_from[3], inverse[3], exit_inverse[3];
-    std::uint32_t near_side[3];  ///< Node::lo, or where D < 0 Node::hi
+    std::uint32_t near_side[3];  ///< Node::lo, or where d < 0 Node::hi
 
+    Ray<double> ray;         ///< its start, off by `start_error` along each axis at most, and d
+    double start_error = 0;  ///< 0 where it was not moved
     double scale = 1, shift = 0;
+    bool as_given = true;  ///< neither moved nor at another scale, but for d, nor of a length far from 1
 
     static constexpr float exit_factor = 1 + 0x1p-20f;
 
-    /// No box beyond this entry holds a point of the ray before t.
-    float t_max(double t) const {
-        const double moved = t * scale - shift;
-        if (!(moved < 0x1p100)) return std::numeric_limits<float>::infinity();
-        return rounded_up(moved + std::abs(moved) * 0x1p-19 + 0x1p-100);
+    /// The ray's own t, between which and what is given a bound must allow for rounding.
+    double own_t(double t) const { return t * scale - shift; }
+    /// A t of the ray that was given, no larger or no smaller than the own one.
+    double least_t(double own) const { return given_t(own, -1); }
+    double most_t(double own) const { return given_t(own, 1); }
+
+    /// No box beyond this entry holds a point of the ray before its own t.
+    static float t_max_of(double own) {
+        if (!(own < 0x1p100)) return std::numeric_limits<float>::infinity();
+        return rounded_up(own + std::abs(own) * 0x1p-19 + 0x1p-100);
+    }
+    /// The same for a t of the ray that was given.
+    float t_max(double t) const { return t_max_of(own_t(t)); }
+
+private:
+    double given_t(double own, double side) const {
+        const double sum = own + shift;
+        return (sum + side * 0x1p-50 * (std::abs(own) + std::abs(shift))) / scale + side * 0x1p-1060;
     }
 };
 
@@ -46,47 +64,85 @@ struct BoxRay {
 inline double power_of_two(double x) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7FF0'0000'0000'0000);
 }
+/// Its inverse.
+inline double inverse_power_of_two(double power) {
+    return std::bit_cast<double>(0x7FE0'0000'0000'0000 - std::bit_cast<std::uint64_t>(power));
+}
 
-/// Nothing for a ray whose numbers are so large, so small or so different from each other that the bounds above fail,
-/// or in a scene so small. `ray` must be valid.
+/// A number and the most that it is off.
+struct Approximately {
+    double value, error;
+};
+
+/// P − middle + td, found with twice the digits of a double, so that the first and the last may cancel: Knuth's two-sum,
+/// and what a product lacks by one multiplication and addition without rounding between.
+inline Approximately moved_along(double P, double middle, double t, double d) {
+    const auto lacking = [](double a, double b, double sum) {
+        const double b_in_sum = sum - a;
+        return (a - (sum - b_in_sum)) + (b - b_in_sum);
+    };
+    const double from = P - middle, product = t * d, sum = from + product;
+    const double rest = lacking(P, -middle, from) + std::fma(t, d, -product) + lacking(from, product, sum);
+    return {sum + rest, (std::abs(from) + std::abs(product)) * 0x1p-98 + std::abs(sum + rest) * 0x1p-52};
+}
+
+/// Nothing for a ray whose numbers are so large, so small or so different from each other that the bounds above fail.
+/// `ray` must be valid.
 inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engine) {
     std::optional<BoxRay> made;  // filled in place: a copy would wait for it to be written
-    const double size = static_cast<double>(engine.around().reach());
-    const double P[3] = {ray.P.x - engine.middle().x, ray.P.y - engine.middle().y, ray.P.z - engine.middle().z};
-    const double D[3] = {ray.D.x, ray.D.y, ray.D.z};
+    const double size = static_cast<double>(engine.around().reach()), s = engine.scale();
+    const double middle[3] = {engine.middle().x, engine.middle().y, engine.middle().z};
+    const double P[3] = {s * ray.P.x, s * ray.P.y, s * ray.P.z}, D[3] = {ray.D.x, ray.D.y, ray.D.z};
+    double start[3] = {P[0] - middle[0], P[1] - middle[1], P[2] - middle[2]};  // from now on relative to the middle
     const double longest = std::max({std::abs(D[0]), std::abs(D[1]), std::abs(D[2])});
-    const double farthest = std::max({std::abs(P[0]), std::abs(P[1]), std::abs(P[2])});
-    if (!(size > 0x1p-50 && longest > 0x1p-100 && longest < 0x1p100 && farthest < 0x1p60)) return made;
+    const double farthest = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])});
+    const double to_unit = inverse_power_of_two(power_of_two(longest)), scale = s * power_of_two(longest);
+    if (!(size > 0x1p-50 && longest > 0x1p-1000 && longest < 0x1p1000 && scale > 0x1p-1000 && scale < 0x1p1000 &&
+          farthest < 0x1p300))
+        return made;
 
     BoxRay& result = made.emplace();
-    result.scale = power_of_two(longest);
-    const double to_unit = std::bit_cast<double>(0x7FE0'0000'0000'0000 - std::bit_cast<std::uint64_t>(result.scale));  // its inverse
+    result.scale = scale;
+    const double d[3] = {D[0] * to_unit, D[1] * to_unit, D[2] * to_unit};
+    double error[3] = {std::abs(start[0]) * 0x1p-52, std::abs(start[1]) * 0x1p-52, std::abs(start[2]) * 0x1p-52};
+    result.ray = {{P[0], P[1], P[2]}, {d[0], d[1], d[2]}};
+    result.as_given = s == 1 && longest > 0x1p-90 && longest < 0x1p90;
     if (farthest > 8 * size) {
         const Box& around = engine.around();
         const int main_axis = std::abs(D[0]) == longest ? 0 : std::abs(D[1]) == longest ? 1 : 2;
         const double begin = D[main_axis] > 0 ? around.lo[main_axis] : around.hi[main_axis];
-        const double entry = (begin - P[main_axis]) / (D[main_axis] * to_unit) - (farthest + size) * 0x1p-48;
-        result.shift = entry > 0 ? entry : 0;
+        const double entry = (begin - start[main_axis]) / d[main_axis] - (farthest + size) * 0x1p-48;
+        if (entry > 0) {
+            result.shift = entry;
+            result.as_given = false;
+            double at[3];
+            for (int k = 0; k < 3; ++k) {
+                const Approximately moved = moved_along(P[k], middle[k], entry, d[k]);
+                start[k] = moved.value;
+                error[k] = moved.error;
+                at[k] = middle[k] + start[k];
+                result.start_error = std::max(result.start_error, error[k] + std::abs(at[k]) * 0x1p-52);
+            }
+            result.ray.P = {at[0], at[1], at[2]};
+        }
     }
     for (int k = 0; k < 3; ++k) {
-        double d = D[k] * to_unit;
-        const double moved = P[k] + result.shift * d;
-        double error = (std::abs(P[k]) + std::abs(result.shift * d)) * 0x1p-51;
-        result.inverse[k] = 1 / static_cast<float>(d);
-        if (!(std::abs(d) > 0x1p-60)) {
+        double direction = d[k];
+        result.inverse[k] = 1 / static_cast<float>(direction);
+        if (!(std::abs(direction) > 0x1p-60)) {
             // Along the main axis the ray goes on by t at least, and so has left the hierarchy at 16 times its size.
-            error += 0x1p-22 * std::abs(moved) + 0x1p-56 * size;
+            error[k] += 0x1p-22 * std::abs(start[k]) + 0x1p-56 * size;
             result.inverse[k] = 0x1p127f;
-            d = 0;
+            direction = 0;
         }
-        result.near_side[k] = d < 0 ? Node::hi : Node::lo;
+        result.near_side[k] = direction < 0 ? Node::hi : Node::lo;
         result.exit_inverse[k] = result.inverse[k] * BoxRay::exit_factor;
         // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that the
         // ray meets is as small as numbers that floats do not hold in full.
-        const double wider = (error + std::abs(moved) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;
-        const double early = std::copysign(wider, d);  // so far ahead that a box is entered too early
-        result.near_from[k] = static_cast<float>(moved + early);
-        result.far_from[k] = static_cast<float>(moved - early);
+        const double wider = (error[k] + std::abs(start[k]) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;
+        const double early = std::copysign(wider, direction);  // so far ahead that a box is entered too early
+        result.near_from[k] = static_cast<float>(start[k] + early);
+        result.far_from[k] = static_cast<float>(start[k] - early);
     }
     return made;
 }

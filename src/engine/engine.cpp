@@ -54,19 +54,63 @@ void put(double (&to)[3][fan_out], std::uint32_t at, const Vec3<double>& v) {
     to[2][at] = v.z;
 }
 
+/// About how far most surfaces reach from the median of their middles.
+double usual_size(const std::vector<Sphere<double>>& spheres, std::span<const Triangle<double>> triangles,
+                  const Vec3<double>& middle) {
+    std::vector<double> sizes;
+    const std::size_t count = spheres.size() + triangles.size();
+    for (std::size_t i = 0; i < count; i += count / samples + 1) {
+        if (i < spheres.size()) {
+            sizes.push_back(greatest(Sphere<double>{spheres[i].C - middle, spheres[i].r}));
+        } else {
+            const auto& [A, B, C] = triangles[i - spheres.size()];
+            sizes.push_back(greatest(Triangle<double>{A - middle, B - middle, C - middle}));
+        }
+    }
+    if (sizes.empty()) return 1;
+    const auto nine_in_ten = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::ranges::nth_element(sizes, nine_in_ten);
+    return *nine_in_ten;
+}
+
+/// Whether multiplying by a power of two loses nothing: no digit below the least number, nothing above the greatest.
+bool keeps(double x, double by) { return x == 0 || (std::abs(x * by) >= 0x1p-1022 && std::isfinite(x * by)); }
+bool keeps(const Vec3<double>& v, double by) { return keeps(v.x, by) && keeps(v.y, by) && keeps(v.z, by); }
+bool keeps(const Sphere<double>& s, double by) { return keeps(s.C, by) && keeps(s.r, by); }
+bool keeps(const Triangle<double>& t, double by) { return keeps(t.A, by) && keeps(t.B, by) && keeps(t.C, by); }
+
+/// See Engine::scale.
+double scale_for(const std::vector<Sphere<double>>& spheres, std::span<const Triangle<double>> triangles,
+                 double usual) {
+    if (!(usual < 0x1p-10 || usual > 0x1p20) || !(usual > 0x1p-1000 && usual < 0x1p1000)) return 1;
+    const double by = std::ldexp(1, -std::ilogb(usual));
+    const auto kept = [&](const auto& surface) { return keeps(surface, by); };
+    return std::ranges::all_of(spheres, kept) && std::ranges::all_of(triangles, kept) ? by : 1;
+}
+
+/// The median of some surfaces' middles.
+Vec3<double> middle_of(const std::vector<Sphere<double>>& spheres, std::span<const Triangle<double>> triangles) {
+    std::vector<Vec3<double>> some;
+    const std::size_t count = spheres.size() + triangles.size();
+    for (std::size_t i = 0; i < count; i += count / samples + 1)
+        some.push_back(i < spheres.size() ? centre(spheres[i]) : centre(triangles[i - spheres.size()]));
+    return median(std::move(some));
+}
+
 }  // namespace
 
-Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<double>> triangles, int threads)
-    : spheres_(std::move(spheres)), place_(triangles.size()) {
-    std::vector<Vec3<double>> some;
-    for (std::size_t i = 0; i < size(); i += size() / samples + 1) {
-        const auto take = [&](const auto& surface) {
-            if (greatest(surface) < largest) some.push_back(centre(surface));
-        };
-        if (i < spheres_.size()) take(spheres_[i]);
-        else take(triangles[i - spheres_.size()]);
+Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<double>> given, int threads)
+    : spheres_(std::move(spheres)), place_(given.size()) {
+    middle_ = middle_of(spheres_, given);
+    scale_ = scale_for(spheres_, given, usual_size(spheres_, given, middle_));
+    std::vector<Triangle<double>> at_scale;
+    std::span<const Triangle<double>> triangles = given;
+    if (scale_ != 1) {
+        for (Sphere<double>& sphere : spheres_) sphere = scaled(sphere, scale_);
+        for (const Triangle<double>& triangle : given) at_scale.push_back(scaled(triangle, scale_));
+        triangles = at_scale;
+        middle_ = scale_ * middle_;
     }
-    middle_ = median(std::move(some));
 
     std::vector<Boxed> boxed;
     boxed.reserve(size());

@@ -41,6 +41,9 @@ struct alignas(64) Block {
     }
 };
 
+inline Sphere<double> scaled(const Sphere<double>& sphere, double by) { return {by * sphere.C, by * sphere.r}; }
+inline Triangle<double> scaled(const Triangle<double>& t, double by) { return {by * t.A, by * t.B, by * t.C}; }
+
 /// A scene's surfaces made ready for rays, once for all views and all rays. Surfaces are numbered as everywhere:
 /// spheres first.
 class Engine {
@@ -50,9 +53,16 @@ public:
     Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<double>> triangles, int threads = 0);
 
     std::size_t size() const { return spheres_.size() + place_.size(); }
-    const std::vector<Sphere<double>>& spheres() const { return spheres_; }
+    std::size_t sphere_count() const { return spheres_.size(); }
     std::size_t bytes() const;
 
+    /// The power of two by which all is multiplied that the engine holds, so that most of it is of ordinary size: 1 for
+    /// most scenes. No digit is lost by it.
+    double scale() const { return scale_; }
+
+    // At that scale:
+
+    const std::vector<Sphere<double>>& scaled_spheres() const { return spheres_; }
     const Hierarchy& hierarchy() const { return hierarchy_; }
     const std::vector<Block>& blocks() const { return blocks_; }
     /// The point that the hierarchy's boxes are relative to.
@@ -73,26 +83,35 @@ public:
     }
     const std::vector<Copy>& copies() const { return copies_; }
 
+    // As the scene has them:
+
     Triangle<double> triangle(std::size_t surface) const {
         const std::uint32_t place = place_[surface - spheres_.size()];
-        return blocks_[place / fan_out].triangle(place % fan_out);
+        return as_given(blocks_[place / fan_out].triangle(place % fan_out));
     }
 
     /// Calls `use` with the sphere or the triangle of that number.
     template <class Use>
     auto with_surface(std::size_t surface, const Use& use) const {
-        return surface < spheres_.size() ? use(spheres_[surface]) : use(triangle(surface));
+        return surface < spheres_.size() ? use(as_given(spheres_[surface])) : use(triangle(surface));
     }
 
     /// Calls `use(number, surface)` with each of them, in the order in which they are kept.
     template <class Use>
     void for_each_surface(const Use& use) const {
-        for (std::size_t i = 0; i < spheres_.size(); ++i) use(i, spheres_[i]);
+        for (std::size_t i = 0; i < spheres_.size(); ++i) use(i, as_given(spheres_[i]));
         for (const Block& block : blocks_)
-            for (std::uint32_t at = 0; at < block.count; ++at) use(std::size_t{block.surface[at]}, block.triangle(at));
+            for (std::uint32_t at = 0; at < block.count; ++at)
+                use(std::size_t{block.surface[at]}, as_given(block.triangle(at)));
     }
 
 private:
+    template <class Surface>
+    Surface as_given(const Surface& surface) const {
+        return scale_ == 1 ? surface : scaled(surface, 1 / scale_);
+    }
+
+    double scale_ = 1;
     std::vector<Sphere<double>> spheres_;
     std::vector<std::uint32_t> place_;  ///< of each triangle: its block, times 8, and where it stands there
     std::vector<Block> blocks_;  ///< one for each leaf of triangles, in their order; then those of loose ones and copies

@@ -28,8 +28,8 @@ inline double farthest_corner(const Engine& engine, const glassbox::Ray<double>&
 template <bool Any>
 class RayKernel {
 public:
-    HWY_ATTR RayKernel(const Engine& engine, const glassbox::Ray<double>& ray, const BoxRay& boxes, Candidates& found)
-        : found_(found), engine_(engine), boxes_(boxes), ray_(ray), sheared_(sheared(ray, farthest_corner(engine, ray))) {}
+    HWY_ATTR RayKernel(const Engine& engine, const BoxRay& ray, Candidates& found)
+        : found_(found), engine_(engine), ray_(ray), sheared_(sheared(ray, farthest_corner(engine, ray.ray))) {}
 
     HWY_ATTR void operator()() {
         const Hierarchy& hierarchy = engine_.hierarchy();
@@ -52,7 +52,7 @@ private:
     /// The child of a node that the ray comes to first, or nothing; the others are left to be visited later.
     HWY_INLINE HWY_ATTR std::uint32_t next_below(const Node& node, Visits& visits) const {
         alignas(32) float entries[fan_out];
-        const std::uint32_t met = children_met(node, boxes_, t_max_, entries);
+        const std::uint32_t met = children_met(node, ray_, t_max_, entries);
         if (met == 0) return Child::nothing;
         if ((met & (met - 1)) == 0) return node.child[__builtin_ctz(met)];
         return visits.push_all_but_nearest(node, met, entries);
@@ -63,7 +63,7 @@ private:
         if (Child::is_of_spheres(leaf)) {
             const auto [first, count] = engine_.hierarchy().sphere_leaves[index];
             const std::uint32_t* const numbers = engine_.hierarchy().surfaces.data() + first;
-            take(may_meet(ray_, engine_.spheres().data(), numbers, count, found_.high), numbers);
+            take(may_meet(ray_, engine_.scaled_spheres().data(), numbers, count, found_.high), numbers);
         } else {
             const Block& block = engine_.blocks()[index];
             take(may_meet(sheared_, block, found_.high), block.surface);
@@ -82,7 +82,7 @@ private:
         if (low > found_.high) return;
         if (sure && high < found_.high) {
             found_.high = high;
-            t_max_ = boxes_.t_max(high);
+            t_max_ = BoxRay::t_max_of(high);
             drop_what_lies_behind();
         }
         if (found_.count == Candidates::most) found_.too_many = true;
@@ -106,21 +106,20 @@ private:
 
     Candidates& found_;
     const Engine& engine_;
-    const BoxRay& boxes_;
-    const glassbox::Ray<double>& ray_;
+    const BoxRay& ray_;
     ShearedRay sheared_;
     float t_max_ = std::numeric_limits<float>::infinity();
 };
 
-HWY_ATTR Candidates FirstCandidates(const Engine& engine, const glassbox::Ray<double>& ray, const BoxRay& boxes) {
+HWY_ATTR Candidates FirstCandidates(const Engine& engine, const BoxRay& ray) {
     Candidates found;
-    RayKernel<false>(engine, ray, boxes, found)();
+    RayKernel<false>(engine, ray, found)();
     return found;
 }
 
-HWY_ATTR Candidates AnyCandidates(const Engine& engine, const glassbox::Ray<double>& ray, const BoxRay& boxes) {
+HWY_ATTR Candidates AnyCandidates(const Engine& engine, const BoxRay& ray) {
     Candidates found;
-    RayKernel<true>(engine, ray, boxes, found)();
+    RayKernel<true>(engine, ray, found)();
     return found;
 }
 
@@ -133,12 +132,12 @@ namespace glassbox::engine {
 HWY_EXPORT(FirstCandidates);
 HWY_EXPORT(AnyCandidates);
 
-Candidates first_candidates(const Engine& engine, const Ray<double>& ray, const BoxRay& boxes) {
-    return HWY_DYNAMIC_DISPATCH(FirstCandidates)(engine, ray, boxes);
+Candidates first_candidates(const Engine& engine, const BoxRay& ray) {
+    return HWY_DYNAMIC_DISPATCH(FirstCandidates)(engine, ray);
 }
 
-Candidates any_candidates(const Engine& engine, const Ray<double>& ray, const BoxRay& boxes) {
-    return HWY_DYNAMIC_DISPATCH(AnyCandidates)(engine, ray, boxes);
+Candidates any_candidates(const Engine& engine, const BoxRay& ray) {
+    return HWY_DYNAMIC_DISPATCH(AnyCandidates)(engine, ray);
 }
 
 }  // namespace glassbox::engine

@@ -2,14 +2,13 @@
 #include <cstdint>
 #include <limits>
 
-#include <ray.hpp>
-
 #include "engine/box_ray.hpp"
 #include "engine/engine.hpp"
 
 namespace glassbox::engine {
 
-/// A surface that a ray may meet, where it does at no t below `low`; `sure` says that it does.
+/// A surface that a ray may meet, where it does at no t below `low`; `sure` says that it does. Here any t is the ray's own:
+/// see BoxRay.
 struct Candidate {
     std::uint32_t surface;
     bool sure;
@@ -29,10 +28,10 @@ struct Candidates {
     bool is_told() const { return !too_many && (count == 0 || (count == 1 && list[0].sure)); }
 };
 
-/// What `ray` may meet first of the engine's surfaces, the loose ones left out. `ray` is the one that `boxes` is made of.
-Candidates first_candidates(const Engine& engine, const Ray<double>& ray, const BoxRay& boxes);
+/// What a ray may meet first of the engine's surfaces, the loose ones left out.
+Candidates first_candidates(const Engine& engine, const BoxRay& ray);
 
 /// The same where it matters only whether it meets any: one that is sure stands alone, whether or not it is the first.
-Candidates any_candidates(const Engine& engine, const Ray<double>& ray, const BoxRay& boxes);
+Candidates any_candidates(const Engine& engine, const BoxRay& ray);
 
 }  // namespace glassbox::engine

@@ -2,7 +2,7 @@
 // and sphere_roots.inl.
 
 /// Of `count` spheres, eight at most, those that the ray may meet at a t of `before` or less.
-HWY_INLINE HWY_ATTR MayMeet may_meet(const glassbox::Ray<double>& ray, const glassbox::Sphere<double>* spheres,
+HWY_INLINE HWY_ATTR MayMeet may_meet(const BoxRay& from, const glassbox::Sphere<double>* spheres,
                                      const std::uint32_t* numbers, std::uint32_t count, double before) {
     alignas(64) double C[3][fan_out], r[fan_out];
     for (std::uint32_t at = 0; at < fan_out; ++at) {
@@ -12,17 +12,21 @@ HWY_INLINE HWY_ATTR MayMeet may_meet(const glassbox::Ray<double>& ray, const gla
         C[2][at] = sphere.C.z;
         r[at] = sphere.r;
     }
-    const Vec3<Doubles> P = broadcast(ray.P), D = broadcast(ray.D);
-    constexpr RayError none{0, 0};
+    const Vec3<Doubles> P = broadcast(from.ray.P), D = broadcast(from.ray.D);
+    const RayError off{2 * from.start_error, 0};
+    const bool is_moved = from.shift != 0;
+    const double from_the_start = -from.shift;
     MayMeet result;
     for (std::size_t at = 0; at < fan_out; at += Doubles::count()) {
         const Doubles radius = Doubles::load(r + at);
-        const SphereRoots roots =
-            sphere_roots(sphere_equation(P - load(C, at), D, radius * radius, none), none);
-        select(roots.sure, roots.t_low, 0.0).store(result.low + at);  // else the bounds are not sure, either
+        const SphereEquation equation = sphere_equation(P - load(C, at), D, radius * radius, off);
+        const SphereRoots roots = sphere_roots(equation, off);
+        // A ray that was moved ahead started outside.
+        const auto sure = is_moved ? roots.sure & equation.c.surely_positive() : roots.sure;
+        select(sure, roots.t_low, from_the_start).store(result.low + at);  // else the bounds are not sure, either
         roots.t_high.store(result.high + at);
-        const auto behind = roots.sure & (roots.t_low > before);
-        result.sure |= bits_of(roots.sure) << at;
+        const auto behind = sure & (roots.t_low > before);
+        result.sure |= bits_of(sure) << at;
         result.some |= bits_of(!(roots.missed | behind)) << at;
     }
     result.some &= (1u << count) - 1;

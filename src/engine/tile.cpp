@@ -19,7 +19,17 @@ Vec3<double> plane_sizes(const ViewingPlane<double>& plane, int width, int heigh
            (height + 2.0 * tile_side) * sizes(plane.up);
 }
 
+ViewingPlane<double> scaled(const ViewingPlane<double>& plane, double by) {
+    return {by * plane.corner, by * plane.right, by * plane.up};
+}
+
 bool is_ordinary(double size) { return size > 0x1p-50 && size < 0x1p50; }
+
+/// The power of two that makes a direction's length ordinary.
+double to_ordinary_length(double length) {
+    if (is_ordinary(length) || !(length > 0x1p-1000 && length < 0x1p1000)) return 1;
+    return std::ldexp(1, -std::ilogb(length));
+}
 
 /// Fills in the scales for directions of that size, and vertices that far from the rays; false if these are not
 /// ordinary.
@@ -35,14 +45,18 @@ bool set_scales(Grid& grid, double direction, double distance) {
 
 }  // namespace
 
-std::optional<Grid> grid(const Vec3<double>& eye, const ViewingPlane<double>& plane, int width, int height,
+std::optional<Grid> grid(const Vec3<double>& given_eye, const ViewingPlane<double>& given_plane, int width, int height,
                          const Engine& engine) {
+    const double to_ordinary = to_ordinary_length(sum(plane_sizes(given_plane, width, height)));
+    const Vec3<double> eye = engine.scale() * given_eye;
+    const ViewingPlane<double> plane = scaled(given_plane, to_ordinary);
     Grid g;
     g.pinhole = true;
     g.eye = eye;
     g.corner = plane.corner;
     g.right = plane.right;
     g.up = plane.up;
+    g.t_scale = engine.scale() / to_ordinary;
     // L and the ray's direction are each rounded five times, relatively to sums of these sizes.
     const Vec3<double> terms = plane_sizes(plane, width, height);
     g.ray_error = 12 * u * sum(terms);
@@ -56,8 +70,11 @@ std::optional<Grid> grid(const Vec3<double>& eye, const ViewingPlane<double>& pl
     return g;
 }
 
-std::optional<Grid> grid(const Parallel<double>& view, int width, int height, const Engine& engine) {
+std::optional<Grid> grid(const Parallel<double>& given, int width, int height, const Engine& engine) {
+    const double to_ordinary = to_ordinary_length(sum(sizes(given.direction)));
+    const Parallel<double> view{scaled(given.plane, engine.scale()), to_ordinary * given.direction};
     Grid g;
+    g.t_scale = engine.scale() / to_ordinary;
     g.direction = view.direction;
     g.corner = view.plane.corner;
     g.right = view.plane.right;

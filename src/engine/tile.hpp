@@ -25,6 +25,7 @@ inline constexpr int tile_size = tile_side * tile_side;
 /// three numbers an edge, found once a tile in double, after which a ray costs two products. As dj and di are small,
 /// single precision is enough for nearly all rays: see TileKernel in tile_kernel.cpp for the bounds.
 struct Grid {
+    // At the engine's scale, and for directions of ordinary length:
     bool pinhole = false;
     Vec3<double> eye;                ///< of a pinhole's view
     Vec3<double> direction;          ///< of a parallel one
@@ -42,7 +43,9 @@ struct Grid {
     /// tile.
     double side1 = 0, side2 = 0, volume1 = 0, volume2 = 0;
 
-    /// What key is to t: key = key_of_t/t in a pinhole's view, −key_of_t·t in a parallel one. A larger key is nearer.
+    /// The engine's t, at its scale and along the directions above, is that of the view's rays times this.
+    double t_scale = 1;
+    /// What key is to that t: key = key_of_t/t in a pinhole's view, −key_of_t·t in a parallel one. A larger key is nearer.
     double key_of_t = 1;
 };
 
@@ -72,10 +75,13 @@ struct alignas(64) Tile {
     float key_low[tile_size], key_high[tile_size];
 };
 
-/// The t of a key.
+/// The engine's t of a key.
 inline double t_of_key(const Grid& grid, float key) {
     return grid.pinhole ? grid.key_of_t / static_cast<double>(key) : -static_cast<double>(key) / grid.key_of_t;
 }
+
+/// The t of a key for the ray as the view has it.
+inline double given_t_of_key(const Grid& grid, float key) { return t_of_key(grid, key) / grid.t_scale; }
 
 /// The rays of the columns from `column` on, and of the rows from `row` on upwards.
 void trace_tile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile);

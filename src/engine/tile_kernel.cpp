@@ -201,7 +201,7 @@ private:
     };
 
     HWY_ATTR void test_sphere(std::uint32_t surface) {
-        const SphereKeys keys = sphere_keys(grid_, middle_, engine_.spheres()[surface]);
+        const SphereKeys keys = sphere_keys(grid_, middle_, engine_.scaled_spheres()[surface]);
         for (int q = 0; q < quarters; ++q) {
             Floats least = std::numeric_limits<float>::infinity();
             const auto begin = static_cast<std::size_t>(q * quarter_size);

@@ -33,7 +33,7 @@ struct Pixels {
         Probe probe;
         if (surface == engine::no_surface) return keep(x, y, ray, tracer.background, probe);
         // A sphere's normal depends on the exact point; a triangle's is the same everywhere.
-        const bool is_sphere = surface < tracer.search.engine().spheres().size();
+        const bool is_sphere = surface < tracer.search.engine().sphere_count();
         const double its_t = is_sphere ? tracer.search.predicates().t_of(ray, surface) : t;
         keep(x, y, ray, tracer.color_of(ray, {surface, its_t}, probe), probe);
     }

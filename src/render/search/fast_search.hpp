@@ -58,8 +58,8 @@ public:
             return way.best;
         }
         if constexpr (OnlyFirstHit<Probe>) {
-            const engine::Candidates found = engine::first_candidates(engine(), ray, *boxes);
-            if (found.is_told() && engine().loose().empty()) return proven(ray, found, probe);
+            const engine::Candidates found = engine::first_candidates(engine(), *boxes);
+            if (found.is_told() && engine().loose().empty()) return proven(ray, *boxes, found, probe);
             if (!found.too_many) return way.first_of(found);
         }
         for (const std::uint32_t surface : engine().loose()) way.test(surface);
@@ -77,7 +77,7 @@ public:
         const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
         if (!boxes) return trace_proven(ray, silent).has_value();
         const auto is_met = [&](std::uint32_t surface) { return predicates_.is_met(ray, surface); };
-        const engine::Candidates found = engine::any_candidates(engine(), ray, *boxes);
+        const engine::Candidates found = engine::any_candidates(engine(), *boxes);
         if (found.too_many) return trace_proven(ray, silent).has_value();
         if (std::any_of(found.list, found.list + found.count,
                         [&](const engine::Candidate& one) { return one.sure || is_met(one.surface); }))
@@ -100,10 +100,12 @@ public:
 private:
     /// What the engine says that the ray meets first, if anything.
     template <class Probe>
-    std::optional<ProvenHit> proven(const Ray<double>& ray, const engine::Candidates& found, Probe& probe) const {
+    std::optional<ProvenHit> proven(const Ray<double>& ray, const engine::BoxRay& boxes,
+                                    const engine::Candidates& found, Probe& probe) const {
         if (found.count == 0) return {};
         const auto& [surface, sure, low] = found.list[0];
-        return predicates_.proven(ray, surface, low, found.high, probe);
+        if (!boxes.as_given) return predicates_.hit_of(ray, surface, probe);
+        return predicates_.proven(ray, surface, boxes.least_t(low), boxes.most_t(found.high), probe);
     }
 
     /// One ray's traversal of the hierarchy.
@@ -162,7 +164,7 @@ private:
             }
             const engine::Block& block = all.blocks()[index];
             if constexpr (OnlyVerdicts<Probe>) {
-                for (std::uint32_t rest = engine::not_missed(block, ray); rest != 0; rest &= rest - 1) {
+                for (std::uint32_t rest = engine::not_missed(block, boxes->ray, boxes->start_error); rest != 0; rest &= rest - 1) {
                     search.predicates_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
                     test_copies_of(block.surface[std::countr_zero(rest)]);
                 }

@@ -88,7 +88,13 @@ public:
         return met(ray, surface, silent).has_value();
     }
 
-    /// A surface that the ray is known to meet between two t.
+    /// A surface that the ray is known to meet.
+    template <class Probe>
+    ProvenHit hit_of(const Ray<double>& ray, std::size_t surface, Probe& probe) const {
+        return *met(ray, surface, probe);
+    }
+
+    /// The same, where it is known between which two t.
     template <class Probe>
     ProvenHit proven(const Ray<double>& ray, std::size_t surface, double nearest, double farthest, Probe& probe) const {
         const Silent silent;
