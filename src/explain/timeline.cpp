@@ -80,9 +80,10 @@ public:
     std::vector<Event> tell() && {
         tell_ray();
         for (std::size_t row = 0; row < story_.surfaces.size(); ++row) tell_surface(row);
-        if (story_.options.stage > 1) tell_nearest();
+        if (story_.options.stage > 1 && (!story_.ended || story_.ended->at_hit)) tell_nearest();
         if (story_.hit) tell_hit();
-        tell_pixel();
+        if (story_.ended) tell_early_end();
+        else tell_pixel();
         find_makers();
         return std::move(events_);
     }
@@ -141,13 +142,15 @@ private:
         add(group_ + ", is tested", {}, rule);
         events_.back().surface = row;
         tell_steps(surface.steps, surface.calls, row, [](std::size_t) { return true; });
-        const bool met = is_met(surface.fate);
+        if (!surface.is_finished) return;
+        const bool met = is_met(surface.fate), is_wrong = story_.own && met != surface.truly_met;
         std::string answer =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
         if (surface.needed_exact) answer += ", decided in exact arithmetic";
+        if (is_wrong) answer += met ? "; but truly it is missed" : "; but truly it is met";
         add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
-        events_.back().failed = surface.fate == Fate::overflow;
+        events_.back().failed = surface.fate == Fate::overflow || is_wrong;
     }
 
     Function rule_of(const Surface& surface) const {
@@ -203,6 +206,29 @@ private:
         }
         add(fmt::format("the ray brings {}", triple(story_.traced)), {}, by);
         if (story_.border) add(fmt::format("the border is painted over it: {}", triple(story_.color)));
+    }
+
+    /// The last event of a program that did not get to the end.
+    void tell_early_end() {
+        std::optional<StepPlace> last;
+        const auto last_of = [&](std::optional<std::size_t> row, Steps steps) {
+            if (!steps.empty()) last = StepPlace{row, static_cast<StepNumber>(steps.size() - 1)};
+        };
+        last_of({}, story_.ray_steps);
+        if (story_.hit) last_of({}, story_.hit->steps);
+        else if (!story_.surfaces.empty()) last_of(story_.surfaces.size() - 1, story_.surfaces.back().steps);
+        group_ = "the end";
+        std::string what = story_.ended->words;
+        if (last) {
+            const Step& step = tape_of(story_, *last)[last->step].step;
+            // Inputs have no line: then it had computed nothing with them yet.
+            if (*step.file != '\0')
+                what += fmt::format("; the last step before that is at {}:{}", source(step.file), step.line);
+            else last.reset();
+        }
+        add(std::move(what));
+        events_.back().failed = true;
+        events_.back().stopped_after = last;
     }
 
     /// Finds the event that made each operand. The hit's tape repeats the test of its surface, and some steps of its
