@@ -19,6 +19,7 @@ struct RecordedSurface {
     Tape tape;
     std::size_t test_steps = 0;  ///< how many of its steps are the test
     bool is_finished = false;    ///< otherwise the program ended while it recorded this
+    CallNumber open_call = 0;    ///< in this call then
     bool met = false;
     double t = 0;
     std::optional<StepNumber> t_step;  ///< the step that made t; none for a constant

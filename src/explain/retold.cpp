@@ -143,6 +143,15 @@ FirstHit told_hit(const RecordedSurface& recorded, const Scene& scene, const Opt
     return hit;
 }
 
+EarlyEnd early_end(const RecordedPixel& recorded) {
+    EarlyEnd end{recorded.ended, recorded.hit.has_value(), {}};
+    const RecordedSurface* const last = recorded.hit              ? &*recorded.hit
+                                        : !recorded.tests.empty() ? &recorded.tests.back()
+                                                                  : nullptr;
+    if (last && !last->is_finished) end.in = last->tape.calls()[last->open_call];
+    return end;
+}
+
 }  // namespace
 
 Story retold(const Scene& scene, const std::shared_ptr<const engine::Engine>& surfaces, Options options, int x, int y,
@@ -164,7 +173,7 @@ Story retold(const Scene& scene, const std::shared_ptr<const engine::Engine>& su
     story.border = scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
     story.color = story.border ? *scene.border : story.traced;
     story.own = recorded.sources;
-    if (!recorded.ended.empty()) story.ended = EarlyEnd{recorded.ended, recorded.hit.has_value()};
+    if (!recorded.ended.empty()) story.ended = early_end(recorded);
     if (recorded.ray_color) {
         const Told told(*recorded.ray_color);
         story.ray_color = told.vector("colour");

@@ -146,6 +146,7 @@ struct LeastSure {
 struct EarlyEnd {
     std::string words;    ///< "it followed a null pointer (address 0x0)"
     bool at_hit = false;  ///< all tests were done
+    Call in;              ///< the call that it was in; of none, there is no name
 };
 
 /// What a pixel shows, beside the truth: the reference search's, which shares nothing with the search that is judged.

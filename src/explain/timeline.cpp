@@ -208,6 +208,26 @@ private:
         if (story_.border) add(fmt::format("the border is painted over it: {}", triple(story_.color)));
     }
 
+    /// "at my/2-spheres/chord.hpp:30"; of what ours did, the learner's line that called it is told, too.
+    std::string for_which_line(const StepPlace& place) const {
+        const Step& step = tape_of(story_, place)[place.step].step;
+        const auto is_own = [&](std::string_view file) {
+            const std::span<const SourceFile> own = story_.own ? story_.own->files() : std::span<const SourceFile>();
+            return std::ranges::any_of(own, [&](const SourceFile& header) { return header.path == file; });
+        };
+        const auto line_of = [&](std::string_view file, int line) {
+            return fmt::format("{}:{}", is_own(file) ? file : source(file), line);
+        };
+        const std::string its_line = line_of(step.file, step.line);
+        if (is_own(step.file)) return "at " + its_line;
+        std::string from;
+        for (const CallNumber number : calls_around(story_, place)) {
+            const Call& call = calls_of(story_, place)[number];
+            if (is_own(call.file)) from = line_of(call.file, call.line);
+        }
+        return from.empty() ? "at " + its_line : fmt::format("for {}, at {}", from, its_line);
+    }
+
     /// The last event of a program that did not get to the end.
     void tell_early_end() {
         std::optional<StepPlace> last;
@@ -219,13 +239,11 @@ private:
         else if (!story_.surfaces.empty()) last_of(story_.surfaces.size() - 1, story_.surfaces.back().steps);
         group_ = "the end";
         std::string what = story_.ended->words;
-        if (last) {
-            const Step& step = tape_of(story_, *last)[last->step].step;
-            // Inputs have no line: then it had computed nothing with them yet.
-            if (*step.file != '\0')
-                what += fmt::format("; the last step before that is at {}:{}", source(step.file), step.line);
-            else last.reset();
-        }
+        if (const Call& in = story_.ended->in; *in.function != '\0')
+            what += fmt::format(", in `{}` of {}", in.function, in.header);
+        // Inputs have no line: nothing had been computed with them yet.
+        if (last && *tape_of(story_, *last)[last->step].step.file == '\0') last.reset();
+        if (last) what += "; the last step before that was done " + for_which_line(*last);
         add(std::move(what));
         events_.back().failed = true;
         events_.back().stopped_after = last;

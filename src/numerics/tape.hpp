@@ -93,6 +93,7 @@ public:
     virtual void on_step(const Step& step) = 0;
     virtual void on_name(StepNumber step, std::string_view name) = 0;
     virtual void on_call(const Call& call) = 0;
+    virtual void on_return(CallNumber to) = 0;
 };
 
 /// All operations of a computation in one scalar, in the order of execution, with the names given to some of them, and
@@ -136,7 +137,10 @@ public:
         if (listener_) listener_->on_call(call);
     }
     /// Leaves the present call, if there is one.
-    void leave() { call_ = calls_[call_].caller; }
+    void leave() {
+        call_ = calls_[call_].caller;
+        if (listener_) listener_->on_return(call_);
+    }
     const std::vector<Call>& calls() const { return calls_; }
 
     /// The first name of each step; empty for those without.

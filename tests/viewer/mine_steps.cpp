@@ -257,9 +257,12 @@ TEST_CASE("a crash is the last event, after the step and line where it happened"
     }();
     const Event end = learner.last();
     CHECK(end.failed);
+    const std::string chord = learn::shown(learner.folder / "my/2-spheres/chord.hpp");
+    const std::string own_line = chord + ":" + std::to_string(learner.line_of("2-spheres/chord.hpp", "Real a = dot"));
     CHECK(end.what ==
-          "it followed a null pointer (address 0x0); the last step before that is at core/1-rays/vec3.hpp:" +
-              std::to_string(vec3_line));
+          "it followed a null pointer (address 0x0), in `chord` of chord.hpp; the last step before that was "
+          "done for " +
+              own_line + ", at core/1-rays/vec3.hpp:" + std::to_string(vec3_line));
     REQUIRE(end.stopped_after);
     CHECK(end.stopped_after->row == 0u);  // in the first sphere's test
     const std::vector<StackLine> stack = call_stack(*learner.mine().story, end);
@@ -274,19 +277,28 @@ TEST_CASE("a crash is the last event, after the step and line where it happened"
                        [](const Event& event) { return event.holds; }));  // there is no answer
     go(learner.state, learner.results, StepTo::next_failed);
     CHECK(learner.state.step == learner.mine().timeline.size() - 1);
+    CHECK(level_now(learner.state, learner.results) == 2);  // the learner's line, not that of `dot`
 
     crash("    if (true) throw 7;");
     CHECK(learner.update().stand == Stand::failed);
     CHECK(learner.update().words == "it threw an exception that nobody caught: the number 7");
-    CHECK(learner.last().what.starts_with(learner.update().words + "; the last step before that is at "));
+    CHECK(learner.last().what.starts_with(learner.update().words + ", in `chord` of chord.hpp; the last step"));
     crash("    for (volatile bool on = true; on;) {}");
     CHECK(learner.update().words == "it ran for 3 s without ending: an endless loop?");
     CHECK(learner.mine().timeline.size() == 2 + 3 + 5 + 1);
     crash("    for (Real x = a; x > Real(0);) x = x * x;");
-    CHECK(learner.update().words == "it did not come to an end in 2000 steps: an endless loop?");
+    CHECK(learner.update().words ==
+          "it did not come to an end in 2000 steps: an endless loop, or a function that calls itself without end?");
     // Each round is a constant 0, which is no event, a comparison and a product: two thirds of 2000 steps are events.
     CHECK(learner.mine().timeline.size() > 1300);
-    CHECK(learner.last().what.find("chord.hpp:") != std::string::npos);
+    CHECK(learner.last().what.ends_with("; the last step before that was done at " + chord + ":" +
+                                        std::to_string(learner.line_of("2-spheres/chord.hpp", "x = x * x"))));
+    // Before anything is computed: there is no step, but the function is known.
+    learner.save("2-spheres", "chord.hpp", "    const Vec3<Real> D = ray.D;\n",
+                 "    double* volatile nowhere = nullptr;\n    *nowhere = 1;\n    const Vec3<Real> D = ray.D;\n");
+    learner.settle();
+    CHECK(learner.last().what == "it followed a null pointer (address 0x0), in `chord` of chord.hpp");
+    CHECK(call_stack(*learner.mine().story, learner.last()).empty());
 
     // Later than all tests: in the normal.
     learner.save("2-spheres", "chord.hpp");
@@ -296,7 +308,8 @@ TEST_CASE("a crash is the last event, after the step and line where it happened"
     CHECK(learner.update().words == "it followed a null pointer (address 0x0)");
     REQUIRE(learner.mine().story);
     CHECK(learner.mine().story->hit);
-    CHECK(learner.last().what.find("core/1-rays/") != std::string::npos);  // the point was the last
+    CHECK(learner.last().what.find(", in `normal` of sphere.hpp; the last step before that was done at core/1-rays/") !=
+          std::string::npos);  // the point's
     REQUIRE(learner.last().stopped_after);
     CHECK_FALSE(learner.last().stopped_after->row);
     CHECK(std::any_of(learner.mine().timeline.begin(), learner.mine().timeline.end(),
@@ -316,6 +329,15 @@ TEST_CASE("what does not compile, or not in recorded numbers, is told with what 
     CHECK_FALSE(learner.mine().story);
 
     learner.solve_2();
+    const learn::Workspace& workspace = *learner.state.mine.workspace;
+    const learn::Exercise& spheres = learn::exercise_called(workspace, "2");
+    std::ofstream(learner.folder / "my/2-spheres/chord.hpp") << workspace.starter(spheres, "chord.hpp");
+    ++learner.state.mine.saved;
+    learner.settle();
+    CHECK(learner.update().stand == Stand::not_written);
+    CHECK(learner.update().words.find("`chord` is not written yet (") == 0);
+    CHECK(learner.last().what.find("`chord` is not written yet (") == 0);
+
     learner.save("2-spheres", "chord.hpp", "const Real m = -dot(v, D);", "const Real m = -dott(v, D);");
     learner.settle();
     CHECK(learner.update().stand == Stand::does_not_compile);

@@ -97,6 +97,7 @@ private:
         const std::size_t count = surface.tape.steps().size();
         surface.test_steps = std::min<std::size_t>(from.test_steps, count);
         surface.is_finished = from.finished != 0;
+        surface.open_call = from.open_call < surface.tape.calls().size() ? from.open_call : 0;
         surface.met = from.met != 0;
         surface.t = from.t;
         if (from.t_step >= 0 && static_cast<std::size_t>(from.t_step) < count)
@@ -123,7 +124,10 @@ std::string where(ReelStage at) {
 /// How it ended early; "" if it did not.
 std::string end_of(const Outcome& outcome, const Reel& reel) {
     if (reel.endless != 0)
-        return where(reel.at) + fmt::format("it did not come to an end in {} steps: an endless loop?", most_steps);
+        return where(reel.at) + fmt::format(
+                                    "it did not come to an end in {} steps: an endless loop, or a function that "
+                                    "calls itself without end?",
+                                    most_steps);
     if (reel.not_written != 0) return printable(outcome.last_words.text);
     if (outcome.well() && reel.at == ReelStage::done) return "";
     const std::string how = how_it_ended(outcome);

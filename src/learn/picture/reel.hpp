@@ -36,6 +36,7 @@ struct ReelText {
 struct ReelTape {
     std::int64_t surface;
     std::atomic<std::uint32_t> steps, calls, names;  ///< how many; call 0 is no call, and always there
+    std::uint32_t open_call;                         ///< the call that it is in
     std::uint32_t test_steps;                        ///< of a hit: how many of its steps are the test
     std::int32_t finished, met;
     std::int64_t t_step;  ///< less than 0: t is a constant

@@ -64,6 +64,7 @@ public:
         tape_.surface = static_cast<std::int64_t>(surface);
         tape_.steps = tape_.calls = tape_.names = 0;
         tape_.finished = tape_.met = 0;
+        tape_.open_call = 0;
         tape_.t_step = -1;
         reel_.tapes.fetch_add(1, std::memory_order_release);
     }
@@ -89,7 +90,9 @@ public:
         tape_.call[at] = {call.caller, call.line, texts_.number_of(call.header), texts_.number_of(call.function),
                           texts_.number_of(call.file)};
         tape_.calls.store(at, std::memory_order_release);
+        tape_.open_call = at;
     }
+    void on_return(CallNumber to) override { tape_.open_call = to; }
 
     template <class Test>
     void finish_test(const Test& test) {

@@ -55,6 +55,10 @@ const SourceFile* find_source(const Story& story, std::string_view file) {
     return find_source(source(file));
 }
 
+bool is_own(const Story& story, const SourceFile& file) {
+    return std::ranges::any_of(own_sources(story), [&](const SourceFile& own) { return &own == &file; });
+}
+
 const SourceFile* find_header(const Story& story, std::string_view name) {
     for (const std::span<const SourceFile> files : {own_sources(story), core_sources()})
         for (const SourceFile& file : files)

@@ -20,6 +20,9 @@ const SourceFile* find_source(std::string_view path);
 /// there is none. It is there as long as the story is.
 const SourceFile* find_source(const Story& story, std::string_view file);
 
+/// Whether a header that was found is one of the story's own, and not one of ours.
+bool is_own(const Story& story, const SourceFile& file);
+
 /// Returns the header of that name, "vec3.hpp", in the same way.
 const SourceFile* find_header(const Story& story, std::string_view name);
 

@@ -150,7 +150,13 @@ std::size_t level_now(const ViewerState& state, const Results& results) {
     const std::vector<StackLine> stack = stack_at(steps_now(state, results), state.step);
     if (stack.empty()) return 0;
     const bool chosen = state.stepping.level_at == state.step;
-    return chosen ? std::min(state.stepping.level, stack.size() - 1) : stack.size() - 1;
+    if (chosen) return std::min(state.stepping.level, stack.size() - 1);
+    // Where a program ended early, its own line tells more than the operation of ours that it called.
+    const Steps& steps = steps_now(state, results);
+    if (steps.timeline[state.step].stopped_after)
+        for (std::size_t level = stack.size(); level-- > 0;)
+            if (stack[level].file && is_own(*steps.story, *stack[level].file)) return level;
+    return stack.size() - 1;
 }
 
 void look_at_level(ViewerState& state, std::size_t level) {
