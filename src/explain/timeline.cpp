@@ -240,7 +240,7 @@ private:
         group_ = "the end";
         std::string what = story_.ended->words;
         if (const Call& in = story_.ended->in; *in.function != '\0')
-            what += fmt::format(", in `{}` of {}", in.function, in.header);
+            what = fmt::format("in `{}` of {} {}", in.function, in.header, what);
         // Inputs have no line: nothing had been computed with them yet.
         if (last && *tape_of(story_, *last)[last->step].step.file == '\0') last.reset();
         if (last) what += "; the last step before that was done " + for_which_line(*last);

@@ -7,7 +7,6 @@
 #include <new>
 #include <utility>
 
-#include "learn/course/workspace.hpp"
 #include "learn/picture/reel.hpp"
 #include "learn/picture/to_sheet.hpp"
 #include "learn/subprocess/shared_memory.hpp"
@@ -28,16 +27,23 @@ std::string text_of(const char (&from)[size]) {
     return printable(std::string(from, std::find(from, from + size, '\0')));
 }
 
+/// "my/2-spheres/chord.hpp": short, since it is written beside each line; and the same wherever the learner's folder
+/// is.
+std::string name_of(const OwnHeader& header) {
+    const fs::path folder = header.path.parent_path();
+    return (folder.parent_path().filename() / folder.filename() / header.path.filename()).string();
+}
+
 /// Reads a reel. The program may have written anything at all: nothing is taken for a place without being checked.
 class Reader {
 public:
     Reader(const Reel& reel, const fs::path& root, std::span<const OwnHeader> headers)
         : reel_(reel), sources_(std::make_shared<OwnSources>()) {
-        for (const OwnHeader& header : headers) sources_->add(shown(header.path), header.text);
+        for (const OwnHeader& header : headers) sources_->add(name_of(header), header.text);
         const std::uint32_t count = std::min(reel.texts.load(), most_texts - 1);
         texts_.push_back("");
         for (std::uint32_t i = 1; i <= count; ++i)
-            texts_.push_back(sources_->keep(as_shown(text_of(reel.text[i].text), root, headers)));
+            texts_.push_back(sources_->keep(as_named(text_of(reel.text[i].text), root, headers)));
     }
 
     RecordedPixel pixel() const {
@@ -54,11 +60,11 @@ public:
     }
 
 private:
-    /// One of the learner's headers is called as everywhere else; the compiler names it from the folder where it ran.
-    static std::string as_shown(std::string file, const fs::path& root, std::span<const OwnHeader> headers) {
+    /// The compiler names a header from the folder where it ran.
+    static std::string as_named(std::string file, const fs::path& root, std::span<const OwnHeader> headers) {
         const fs::path path = (root / file).lexically_normal();
         for (const OwnHeader& header : headers)
-            if (header.path.lexically_normal() == path) return shown(header.path);
+            if (header.path.lexically_normal() == path) return name_of(header);
         return file;
     }
 

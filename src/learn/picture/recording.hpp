@@ -1,14 +1,14 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "explain/recorded_pixel.hpp"
-#include "learn/build/first_error.hpp"
-#include "learn/picture/picture_update.hpp"
+#include "learn/picture/recording_update.hpp"
 #include "render/options.hpp"
+#include "render/pixel.hpp"
 #include "scene/scene.hpp"
 
 namespace glassbox::learn::mine {
@@ -25,16 +25,6 @@ struct ToRecord {
 struct OwnHeader {
     std::filesystem::path path;  ///< absolute
     std::string text;
-};
-
-/// A pixel's steps by a learner's code, and what there is to say of them.
-struct RecordingUpdate {
-    Stand stand = Stand::compiling;              ///< `drawn` where all steps are there
-    std::string words;                           ///< one or two sentences; no full stop
-    std::optional<CompileError> error;           ///< with does_not_compile
-    std::shared_ptr<const RecordedPixel> pixel;  ///< null: no step is there
-    std::string said;                            ///< what the code printed, from the beginning
-    double compile_seconds = 0;                  ///< 0 where nothing needed compiling
 };
 
 /// Records a pixel's steps with a learner's program, compiled for the options' rules, in a subprocess. If the program

@@ -8,7 +8,7 @@
 #include "explain/story.hpp"
 #include "explain/timeline.hpp"
 #include "learn/picture/picture_update.hpp"
-#include "learn/picture/recording.hpp"
+#include "learn/picture/recording_update.hpp"
 #include "learn/told_tests.hpp"
 #include "render/image.hpp"
 #include "render/measure/channel.hpp"
