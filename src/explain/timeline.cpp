@@ -243,7 +243,9 @@ private:
             what = fmt::format("in `{}` of {} {}", in.function, in.header, what);
         // Inputs have no line: nothing had been computed with them yet.
         if (last && *tape_of(story_, *last)[last->step].step.file == '\0') last.reset();
-        if (last) what += "; the last step before that was done " + for_which_line(*last);
+        if (last)
+            what += (what.ends_with('?') ? " The last" : "; the last") +
+                    (" step before that was done " + for_which_line(*last));
         add(std::move(what));
         events_.back().failed = true;
         events_.back().stopped_after = last;

@@ -291,7 +291,7 @@ TEST_CASE("a crash is the last event, after the step and line where it happened"
           "it did not come to an end in 2000 steps: an endless loop, or a function that calls itself without end?");
     // Each round is a constant 0, which is no event, a comparison and a product: two thirds of 2000 steps are events.
     CHECK(learner.mine().timeline.size() > 1300);
-    CHECK(learner.last().what.ends_with("; the last step before that was done at " + chord + ":" +
+    CHECK(learner.last().what.ends_with("without end? The last step before that was done at " + chord + ":" +
                                         std::to_string(learner.line_of("2-spheres/chord.hpp", "x = x * x"))));
     // Before anything is computed: there is no step, but the function is known.
     learner.save("2-spheres", "chord.hpp", "    const Vec3<Real> D = ray.D;\n",

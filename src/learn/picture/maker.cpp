@@ -195,6 +195,8 @@ struct Program {
     const char* prefix;  ///< of its name
 };
 constexpr Program renderer_program{"renderer.cpp", ""}, stepper_program{"stepper.cpp", "steps-"};
+/// The renderer once more, to see whether it compiles: another thread may be making that itself.
+constexpr Program trial_program{"renderer.cpp", "trial-"};
 
 /// How the names of all programs begin that were compiled for these lessons.
 std::string beginning_of(const Program& program, const Lessons& lessons) {
@@ -383,8 +385,9 @@ void Maker::record(const Workspace& workspace, const Lessons& lessons, const ToR
             update.words = failure->words;
             update.error = failure->error;
             const fs::path renderer = compiled_to(renderer_program, shop, workspace, lessons, texts, rules);
-            if (fs::is_regular_file(renderer, none) ||
-                !build(renderer_program, renderer, shop, workspace, lessons, *compiler_, rules, stop))
+            const fs::path tried = compiled_to(trial_program, shop, workspace, lessons, texts, rules);
+            if (fs::is_regular_file(renderer, none) || fs::is_regular_file(tried, none) ||
+                !build(trial_program, tried, shop, workspace, lessons, *compiler_, rules, stop))
                 update.words += how_to_be_recorded;
             return tell(std::move(update));
         }
