@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -37,6 +38,7 @@ struct Learner {
     Background background{[] {}};
 
     Learner() {
+        ::unsetenv("CXX");  // by the compiler of this build: another evaluates operands in another order
         state = opened(ROOT "/scenes/levental-2014.toml");
         state.mine.folder = folder / "my";
         state.page = Page::steps;
