@@ -31,6 +31,8 @@ constexpr NameTable<NumberForm, 3> number_forms{{
     {"hex", NumberForm::hex, ""},
 }};
 
+constexpr NameTable<bool, 2> whose_steps{{{"ours", false, ""}, {"mine", true, ""}}};
+
 using Word = const std::string&;
 
 /// What `set NAME VALUE` can set.
@@ -87,6 +89,10 @@ const Settable settables[] = {
          const std::optional<LessonChoice> lessons = read_lesson_choice(typed);
          if (!lessons) throw wrong(name, fmt::format("'{}' must be the number of a lesson, or all", typed));
          return change([lessons](ViewerState& s) { show_mine(s, lessons); });
+     }},
+    {"steps-of",
+     [](Word name, Word typed) {
+         return change([mine = chosen(name, typed, whose_steps)](ViewerState& s) { step_mine(s, mine); });
      }},
     {"predict",
      [](Word name, Word typed) {
