@@ -62,9 +62,11 @@ private:
         const auto met = std::ranges::find(hits, named, &TrueHit::surface);
         if (met != hits.end() && met->as_near) result.cause = Cause::tie;
         if (!claim.t || is_beyond_rounding(result.cause)) return;
-        if (met != hits.end() && is_same_t(*claim.t, met->t.value)) return;
+        const bool is_met = met != hits.end();
+        const auto its_true_t = is_met ? std::optional(true_t_of(search_, ray, named)) : std::nullopt;
+        if (is_met && is_same_t(*claim.t, *its_true_t)) return;
         RayDifference its_t = result;
-        judge_t(its_t, claim, met != hits.end() ? std::optional<double>(met->t.value) : std::nullopt, *seen.seen);
+        judge_t(its_t, claim, its_true_t, *seen.seen);
         // What explains the surface need not explain its t.
         if (its_t.cause > result.cause) result = its_t;
     }

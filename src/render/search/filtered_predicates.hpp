@@ -73,6 +73,15 @@ public:
         return met(ray, surface, silent)->told_t;
     }
 
+    /// The same hit, its t with a bound.
+    ProvenHit with_bound(const Ray<double>& ray, const ProvenHit& hit) const {
+        if (hit.t.error != not_bounded) return hit;
+        const Silent silent;
+        ProvenHit bounded = hit;
+        bounded.t = bounded_or_exact(ray, hit.surface, silent)->t;
+        return bounded;
+    }
+
     /// t of a surface that the ray meets, nearly as well as a double can say it.
     Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const {
         constexpr double good_enough = 0x1p-49;
@@ -235,15 +244,6 @@ private:
         if (!(weights > 0)) return not_bounded;
         const double spread = std::max({a, b, c}) - std::min({a, b, c}) + 2 * errors.distance;
         return (t + (3 * errors.side * spread / weights + errors.distance) / D2) * (1 + 0x1p-45);
-    }
-
-    /// The same hit, its t with a bound.
-    ProvenHit with_bound(const Ray<double>& ray, const ProvenHit& hit) const {
-        if (hit.t.error != not_bounded) return hit;
-        const Silent silent;
-        ProvenHit bounded = hit;
-        bounded.t = bounded_or_exact(ray, hit.surface, silent)->t;
-        return bounded;
     }
 
     /// Of two hits with bounds. At the same t the one that is listed first is taken for the farther.

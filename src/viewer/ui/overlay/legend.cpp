@@ -81,7 +81,7 @@ bool number_field(const char* label, double& value, float width) {
 
 std::string_view told_range(const Measurement& what) {
     if (what.range) return "The same for every picture";
-    if (what.scale == Scale::diverging) return "As far to both sides of 0 as the values reach";
+    if (what.scale == Scale::diverging || what.scale == Scale::difference) return "As far to both sides of 0 as the values reach";
     return "From the least to the greatest value";
 }
 
@@ -98,7 +98,8 @@ void spacing(const Frame& frame, const Measurement& what, const Coloring& colori
     if (ImGui::BeginCombo("##spacing", overlay.spacing ? label(*overlay.spacing).c_str() : usual.c_str())) {
         if (ImGui::Selectable(usual.c_str(), !overlay.spacing)) overlay.spacing.reset();
         for (const auto& each : spacings)
-            if (ImGui::Selectable(fmt::format("{}: {}", each.name, each.help).c_str(), overlay.spacing == each.value))
+            if (spacing_of(what, each.value) == each.value &&
+                ImGui::Selectable(fmt::format("{}: {}", each.name, each.help).c_str(), overlay.spacing == each.value))
                 overlay.spacing = each.value;
         ImGui::EndCombo();
     }
