@@ -69,15 +69,20 @@ void check_difference(const MeasureRequest& request) {
         throw wrong("--scale", "a difference has both signs; linear and symlog show them");
 }
 
+/// By what is measured; the scene has its part of it already.
+Setup setup_of(const MeasureRequest& request, const Scene& scene) {
+    Setup setup = setup_of(scene);
+    setup.options = request.setup.options;
+    return setup;
+}
+
 Kept measured(const Scene& scene, const MeasureRequest& request, Session& session) {
     const std::int64_t times = request.minus ? 2 : 1;
     Progress progress("measuring", times * scene.width * scene.height);
     const Job job{request.threads, session.interrupt.token(), &progress.done()};
     Kept kept;
     if (request.minus) {
-        Setup setup = setup_of(scene);
-        setup.options = request.setup.options;
-        kept.differences = measure_difference(scene, setup, *request.minus, request.wanted, job);
+        kept.differences = measure_difference(scene, setup_of(request, scene), *request.minus, request.wanted, job);
         for (const MeasuredDifference& each : kept.differences)
             kept.measured.push_back({each.what.get(), {&each.channel, 1}, request.spacing});
     } else {
@@ -93,6 +98,8 @@ void run(const CLI::App& command, const MeasureRequest& request, Session& sessio
     check_measurements_file(request.out);
     const Scene scene = load(request);
     note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
+    if (request.minus && changed_by(*request.minus, setup_of(request, scene)) == setup_of(request, scene))
+        note(command, "--minus changes nothing", {"every difference is 0"});
     const Kept kept = measured(scene, request, session);
     note(command, "no value at any pixel", without_value(kept.measured));
     std::vector<std::string_view> names;

@@ -35,7 +35,8 @@ inline ProvenHit not_bounded_yet(std::size_t surface) {
     return {surface, {0, std::numeric_limits<double>::infinity()}, 0, 0};
 }
 
-/// The true t of a surface that the ray meets, nearly as well as a double can say it: with exact arithmetic, if need be.
+/// The true t of a surface that the ray meets, nearly as well as a double can say it: with exact arithmetic, if need
+/// be.
 template <class Search>
 double true_t_of(const Search& search, const Ray<double>& ray, std::size_t surface) {
     return search.predicates().sharpened(ray, not_bounded_yet(surface)).value;

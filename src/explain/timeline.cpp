@@ -12,6 +12,7 @@
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "explain/reading_order.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 
@@ -147,7 +148,7 @@ private:
         if (surface.needed_exact) answer += ", decided in exact arithmetic";
         add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
-        events_.back().failed = surface.fate == Fate::overflow;
+        events_.back().failed = surface.fate == Fate::overflow || (story_.judgement && met != surface.truly_met);
     }
 
     Function rule_of(const Surface& surface) const {
@@ -171,6 +172,7 @@ private:
                             short_number(story_.hit->t.value),
                             story_.hit->t_by_exact ? ", the truth rounded once" : ""),
                 {}, by);
+        events_.back().failed = mark_of(story_) == story::Mark::wrong;
     }
 
     void tell_hit() {

@@ -48,7 +48,8 @@ std::string measure_command(const SceneWords& scene, const MeasureWords& measure
     std::string line = begun("measure", scene) + fmt::format(" --what {}", fmt::join(measured.what, ","));
     if (measured.minus) line += " --minus " + shell_word(written(*measured.minus));
     if (measured.spacing)
-        line += fmt::format(" --scale {}", name_where(spacings, [&](Spacing each) { return each == measured.spacing; }));
+        line +=
+            fmt::format(" --scale {}", name_where(spacings, [&](Spacing each) { return each == measured.spacing; }));
     return line + " -o " + file_word(usual_name(scene.file, measured.what, extension, measured.minus));
 }
 

@@ -178,8 +178,8 @@ std::vector<std::string> settings_in(std::string_view option, const std::string&
     const std::string& first = settings.front();
     const std::size_t colon = first.find(':');
     if (colon == std::string::npos)
-        throw wrong(option, fmt::format("'{}' must be NAME:VALUE, an option and its value, such as scalar:certified",
-                                        first));
+        throw wrong(option,
+                    fmt::format("'{}' must be NAME:VALUE, an option and its value, such as scalar:certified", first));
     const std::string name = first.substr(0, colon);
     std::vector<std::string_view> known;
     for (const Parameter& parameter : parameters()) known.push_back(parameter.name);

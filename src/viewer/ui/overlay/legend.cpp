@@ -81,7 +81,8 @@ bool number_field(const char* label, double& value, float width) {
 
 std::string_view told_range(const Measurement& what) {
     if (what.range) return "The same for every picture";
-    if (what.scale == Scale::diverging || what.scale == Scale::difference) return "As far to both sides of 0 as the values reach";
+    if (what.scale == Scale::diverging || what.scale == Scale::difference)
+        return "As far to both sides of 0 as the values reach";
     return "From the least to the greatest value";
 }
 
