@@ -10,6 +10,7 @@
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
 #include "output/output_file.hpp"
+#include "render/measure/measure_difference.hpp"
 #include "render/render.hpp"
 #include "render/typed.hpp"
 #include "scene/suggestion.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "compare/precision.hpp"
 #include "render/parallel.hpp"
@@ -148,12 +149,13 @@ std::size_t RayComparison::count(Wrong wrong, Cause cause) const {
 }
 
 RayComparison compare_rays(const Scene& scene, const Options& options, std::span<const Ray<double>> rays,
-                           const Claims& claims, const Theirs& theirs, const Job& job) {
+                           const Claims& claims, const Theirs& theirs, const Job& job, std::vector<Shot> truth) {
     Options proven = options;
     if (engine_can(proven)) proven.engine = EngineChoice::fast;
     Job ours = job;
     if (!ours.engine) ours.engine = build_engine(scene, options.stage, job.threads);
-    RayComparison result{shoot(scene, proven, rays, ours), {}};
+    if (truth.size() != rays.size()) truth = shoot(scene, proven, rays, ours);
+    RayComparison result{std::move(truth), {}};
 
     std::mutex adding;
     with_search<AllMet>(scene, proven, bounds_of(rays), ours, [&]<class Search>(const Search& search) {

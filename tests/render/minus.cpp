@@ -1,5 +1,5 @@
 // A measurement minus the same by other settings: values that can be worked out by hand, and what has none.
-#include "render/measure/minus.hpp"
+#include "render/measure/measure_difference.hpp"
 
 #include <doctest.h>
 

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <utility>
 
-#include "render/render.hpp"
+#include "render/measure/measurements.hpp"
 
 namespace glassbox {
 
@@ -20,50 +18,12 @@ std::string value_of(const Parameter& parameter, const Setup& setup) {
     return written(parameter, setup);
 }
 
-/// "scalar float, triangle tolerance:10": what the settings are in that setup.
-std::string told_of(const Minus& minus, const Setup& setup) {
+/// What the settings are in that setup, each with its name.
+std::string listed(const Minus& minus, const Setup& setup, std::string_view is, std::string_view and_then) {
     std::string text;
     for (const Parameter* parameter : minus.told)
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", parameter->name, value_of(*parameter, setup));
+        text += fmt::format("{}{}{}{}", text.empty() ? "" : and_then, parameter->name, is, value_of(*parameter, setup));
     return text;
-}
-
-/// A measurement that owns the texts that it points to.
-struct Owning {
-    std::string name, explanation;
-    Measurement measurement;
-};
-
-std::shared_ptr<const Measurement> difference_of(const Measurement& what, std::string_view component,
-                                                 const Minus& minus, const Setup& setup) {
-    const auto owner = std::make_shared<Owning>(Owning{
-        difference_name(component, minus),
-        fmt::format("{} with {} minus {} with {}; {}: {}", component, told_of(minus, setup), component,
-                    told_of(minus, minus.setup), what.name, what.explanation),
-        {},
-    });
-    Measurement& difference = owner->measurement;
-    difference.name = owner->name;
-    difference.unit = what.unit;
-    difference.explanation = owner->explanation;
-    difference.scale = Scale::difference;
-    difference.source = what.source;
-    difference.worst = Worst::farthest_from_0;
-    difference.spacing = Spacing::symlog;
-    difference.minus_infinity = difference.infinity = "one of the two is infinite";
-    return {owner, &difference};
-}
-
-Channel subtracted(const Channel& one, const Channel& other, std::string_view name) {
-    Channel result{std::string(name), one.width, one.height, {}};
-    // ∞ − ∞ would be NaN, and so no value; but nothing differs.
-    std::ranges::transform(one.values, other.values, std::back_inserter(result.values),
-                           [](double a, double b) { return a == b ? 0.0 : a - b; });
-    if (std::ranges::all_of(result.values, [](double value) { return std::isnan(value); }))
-        result.why_no_value = !one.why_no_value.empty()     ? one.why_no_value
-                              : !other.why_no_value.empty() ? other.why_no_value
-                                                            : "no pixel has a value in both";
-    return result;
 }
 
 }  // namespace
@@ -73,12 +33,9 @@ Setup changed_by(const Minus& minus, Setup setup) {
     return setup;
 }
 
-std::string written(const Minus& minus) {
-    std::string text;
-    for (const Parameter* parameter : minus.told)
-        text += fmt::format("{}{}:{}", text.empty() ? "" : ",", parameter->name, value_of(*parameter, minus.setup));
-    return text;
-}
+std::string written(const Minus& minus) { return listed(minus, minus.setup, ":", ","); }
+
+std::string told_of(const Minus& minus, const Setup& setup) { return listed(minus, setup, " ", ", "); }
 
 std::string why_no_difference(const Measurement& what) {
     if (what.words.empty()) return "";
@@ -96,24 +53,6 @@ std::string difference_file_name(std::string_view what, const Minus& minus) {
     std::string name = difference_name(what, minus);
     std::ranges::replace(name, ':', '-');
     return name;
-}
-
-std::vector<MeasuredDifference> measure_difference(const Scene& scene, const Setup& setup, const Minus& minus,
-                                                   std::span<const Measurement* const> wanted, const Job& job) {
-    const Setup changed = changed_by(minus, setup);
-    Job again = job;
-    if (changed.options.stage != setup.options.stage) again.engine = nullptr;  // it has that stage's surfaces
-    auto ones = measure(applied(scene, setup), setup.options, wanted, job);
-    auto others = measure(applied(scene, changed), changed.options, wanted, again);
-    std::vector<MeasuredDifference> all;
-    for (std::size_t m = 0; m < wanted.size(); ++m)
-        for (std::size_t c = 0; c < ones[m].size(); ++c) {
-            Channel &one = ones[m][c], &other = others[m][c];
-            auto what = difference_of(*wanted[m], one.name, minus, setup);
-            Channel channel = subtracted(one, other, what->name);
-            all.push_back({std::move(what), std::move(channel), std::move(one), std::move(other)});
-        }
-    return all;
 }
 
 }  // namespace glassbox

@@ -1,12 +1,8 @@
 #pragma once
-#include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "render/job.hpp"
-#include "render/measure/channel.hpp"
 #include "render/measure/measurements.hpp"
 #include "render/parameters.hpp"
 #include "render/setup.hpp"
@@ -27,6 +23,9 @@ Setup changed_by(const Minus& minus, Setup setup);
 /// As it is typed: "scalar:certified,triangle:tolerance:10".
 std::string written(const Minus& minus);
 
+/// What these settings are in a setup, in words: "scalar float, triangle tolerance:10".
+std::string told_of(const Minus& minus, const Setup& setup);
+
 /// Why a difference of such measurements has no meaning; empty where it has one.
 std::string why_no_difference(const Measurement& what);
 
@@ -36,18 +35,5 @@ std::string difference_name(std::string_view what, const Minus& minus);
 
 /// The same in the name of a file: "depth-minus-scalar-certified".
 std::string difference_file_name(std::string_view what, const Minus& minus);
-
-/// One number's difference, and what it is the difference of.
-struct MeasuredDifference {
-    std::shared_ptr<const Measurement> what;  ///< says how the difference is named, told, coloured and searched
-    Channel channel;                          ///< the one minus the other; no value where either has none
-    Channel one, other;
-};
-
-/// Measures by the setup, and by what `minus` makes of it, and subtracts; of a measurement with several components each
-/// becomes a difference of its own. Where both are the same infinity they do not differ: 0. Counts each pixel twice.
-/// Throws Cancelled.
-std::vector<MeasuredDifference> measure_difference(const Scene& scene, const Setup& setup, const Minus& minus,
-                                                   std::span<const Measurement* const> wanted, const Job& job = {});
 
 }  // namespace glassbox

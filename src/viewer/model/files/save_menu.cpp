@@ -9,6 +9,7 @@
 #include "output/output_file.hpp"
 #include "render/command.hpp"
 #include "render/job.hpp"
+#include "render/measure/measure_difference.hpp"
 #include "render/render.hpp"
 #include "scene/error.hpp"
 #include "viewer/model/overlay/difference.hpp"

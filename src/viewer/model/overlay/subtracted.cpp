@@ -45,7 +45,7 @@ void subtract(Overlay& overlay, const std::optional<Minus>& minus) {
 }
 
 std::vector<MinusChoice> minus_choices() {
-    std::vector<MinusChoice> all{{"nothing", {}, "the measurement itself"}};
+    std::vector<MinusChoice> all{{"nothing", {}, "the measurement itself is shown"}};
     const Setup defaults;
     for (const Parameter& parameter : parameters()) {
         if (parameter.subject != Subject::computing) continue;

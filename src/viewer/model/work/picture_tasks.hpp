@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/measure/measure_difference.hpp"
 #include "render/render.hpp"
 #include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/work/mine.hpp"

@@ -60,8 +60,10 @@ void counts(const Frame& frame, const Measurement& what, const Distribution& of)
     for (const auto& [color, text, count] : of.words)
         swatch(color, text + ": " + (count == 0 ? "no pixel" : pixels(count)));
     if (of.summary.missing > 0)
-        faint(frame,
-              "Nothing was measured there. What came out as NaN counts as no value, too: the two look the same.");
+        faint(frame, what.scale == Scale::difference
+                         ? "At least one of the two has no value there: nothing was measured, or NaN came out."
+                         : "Nothing was measured there. What came out as NaN counts as no value, too: the two look the "
+                           "same.");
     const std::int64_t outside = of.outside.below + of.outside.above;
     if (what.scale == Scale::direction && outside > 0)
         ImGui::TextWrapped("beyond −1 or 1, shown as if there: %s", pixels(outside).c_str());

@@ -1,15 +1,41 @@
-#include "render/typed.hpp"
+#include <algorithm>
+
 #include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/ui/overlay/parts.hpp"
-#include "viewer/ui/widgets/edit.hpp"
 
 namespace glassbox {
+
+namespace {
+
+/// What can be subtracted, each with a line on what it is.
+void offer(const Frame& frame, Overlay& overlay) {
+    const float font = ImGui::GetFontSize();
+    const float widest = std::min(34 * font, ImGui::GetMainViewport()->WorkSize.x * .9f);
+    for (const auto& [name, minus, help] : minus_choices()) {
+        if (ImGui::Selectable(name.c_str(), overlay.minus == minus)) subtract(overlay, minus);
+        ImGui::Indent(font);
+        ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.faint_text);
+        ImGui::PushTextWrapPos(widest - font);
+        ImGui::TextUnformatted(help.data(), help.data() + help.size());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+        ImGui::Unindent(font);
+    }
+}
+
+}  // namespace
 
 void draw_minus(const Frame& frame) {
     Overlay& overlay = frame.state.overlay;
     const std::string present = overlay.minus ? written(*overlay.minus) : "nothing";
-    choice(frame, "minus the same by", minus_choices(), present,
-           [&](const std::optional<Minus>& minus) { subtract(overlay, minus); });
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("minus the same by");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##minus", present.c_str())) {
+        offer(frame, overlay);
+        ImGui::EndCombo();
+    }
     if (!overlay.minus) return;
     if (const std::string why = why_not_subtracted(overlay); !why.empty())
         return faint(frame, "Nothing is subtracted: " + why + ".");
