@@ -8,9 +8,8 @@ namespace glassbox {
 namespace {
 
 /// What can be subtracted, each with a line on what it is.
-void offer(const Frame& frame, Overlay& overlay) {
+void offer(const Frame& frame, Overlay& overlay, float widest) {
     const float font = ImGui::GetFontSize();
-    const float widest = std::min(34 * font, ImGui::GetMainViewport()->WorkSize.x * .9f);
     for (const auto& [name, minus, help] : minus_choices()) {
         if (ImGui::Selectable(name.c_str(), overlay.minus == minus)) subtract(overlay, minus);
         ImGui::Indent(font);
@@ -32,8 +31,10 @@ void draw_minus(const Frame& frame) {
     ImGui::TextUnformatted("minus the same by");
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::SetNextItemWidth(-1);
+    const float widest = std::min(34 * ImGui::GetFontSize(), ImGui::GetMainViewport()->WorkSize.x * .9f);
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {widest, 1e9f});
     if (ImGui::BeginCombo("##minus", present.c_str())) {
-        offer(frame, overlay);
+        offer(frame, overlay, widest);
         ImGui::EndCombo();
     }
     if (!overlay.minus) return;
