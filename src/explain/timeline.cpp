@@ -12,6 +12,7 @@
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "explain/reading_order.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 
@@ -143,11 +144,11 @@ private:
         events_.back().surface = row;
         tell_steps(surface.steps, surface.calls, row, [](std::size_t) { return true; });
         if (!surface.is_finished) return;
-        const bool met = is_met(surface.fate), is_wrong = story_.own && met != surface.truly_met;
+        const bool met = is_met(surface.fate), is_wrong = (story_.own || story_.judgement) && met != surface.truly_met;
         std::string answer =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
         if (surface.needed_exact) answer += ", decided in exact arithmetic";
-        if (is_wrong) answer += met ? "; but truly it is missed" : "; but truly it is met";
+        if (is_wrong && story_.own) answer += met ? "; but truly it is missed" : "; but truly it is met";
         add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
         events_.back().failed = surface.fate == Fate::overflow || is_wrong;
@@ -174,6 +175,7 @@ private:
                             short_number(story_.hit->t.value),
                             story_.hit->t_by_exact ? ", the truth rounded once" : ""),
                 {}, by);
+        events_.back().failed = mark_of(story_) == story::Mark::wrong;
     }
 
     void tell_hit() {

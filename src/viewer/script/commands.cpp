@@ -15,6 +15,7 @@
 #include "scene/named.hpp"
 #include "scene/scene_path.hpp"
 #include "scene/suggestion.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/story/predicting.hpp"
@@ -106,7 +107,7 @@ Command brush(const Words& words) {
     if (!(low <= high)) throw wrong("brush", fmt::format("LOW must not be above HIGH, and {} is above {}", low, high));
     return change([low, high](ViewerState& state) {
         if (state.overlay.measurement.empty()) throw Error("brush: nothing is laid over; put 'overlay NAME' before");
-        state.overlay.brush = Brush{state.overlay.measurement, low, high};
+        state.overlay.brush = Brush{name_of(state.overlay), low, high};
     });
 }
 

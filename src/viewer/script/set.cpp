@@ -9,6 +9,7 @@
 #include "render/parameters.hpp"
 #include "render/typed.hpp"
 #include "scene/suggestion.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/script/commands.hpp"
 
@@ -104,6 +105,11 @@ const Settable settables[] = {
         "opacity", from_to(0, 1), [](ViewerState& s) -> auto& { return s.overlay.opacity; }),
     settable(
         "legend", one_of(switches), [](ViewerState& s) -> auto& { return s.overlay.legend_shown; }),
+    {"overlay-minus",
+     [](Word name, Word typed) {
+         const std::optional<Minus> other = typed == "nothing" ? std::nullopt : std::optional(minus(name, typed));
+         return change([other](ViewerState& s) { subtract(s.overlay, other); });
+     }},
     {"scale",
      [](Word name, Word typed) {
          const SetSpacing spacing = typed == "auto" ? SetSpacing{} : chosen(name, typed, spacings);

@@ -49,6 +49,9 @@ struct MeasuredChannels {
     std::shared_ptr<const Scene> scene = {};  ///< of what
     Setup setup = {};                         ///< and how traced
     FoundPixels found = {};                   ///< the worst ones; none while it is coarse
+    /// Of a difference: itself as a measurement, which `what` points to, and the two that it is the difference of.
+    std::shared_ptr<const Measurement> difference = {};
+    std::vector<Channel> both = {};
 };
 
 /// What was computed for a ViewerState: the newest result of each kind, kept until there is a newer one. `serial`
