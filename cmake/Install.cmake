@@ -6,7 +6,7 @@ install(DIRECTORY scenes DESTINATION ${data} PATTERN "*.py" EXCLUDE)
 install(DIRECTORY lessons DESTINATION ${data} PATTERN CMakeLists.txt EXCLUDE PATTERN "*.cmake" EXCLUDE)
 install(DIRECTORY src DESTINATION ${data} FILES_MATCHING PATTERN "*.hpp")
 install(FILES src/render/view.cpp DESTINATION ${data}/src/render)
-install(FILES src/learn/picture/renderer.cpp DESTINATION ${data}/src/learn/picture)
+install(FILES src/learn/picture/renderer.cpp src/learn/picture/stepper.cpp DESTINATION ${data}/src/learn/picture)
 install(DIRECTORY src/learn/check/runner DESTINATION ${data}/src/learn/check FILES_MATCHING PATTERN "*.cpp")
 install(DIRECTORY tests/stages tests/support DESTINATION ${data}/tests FILES_MATCHING PATTERN "*.hpp" PATTERN "stage*.cpp"
         PATTERN "support/random_bits.cpp" PATTERN "support/seen.cpp" PATTERN "support/ulps.cpp")

@@ -38,9 +38,10 @@ commands | while read -r line; do
 done
 # The code of someone who learns, for figures that show it: the solution of lesson 2, but for a normal that calls itself;
 # that of lesson 3, but for a t that is not divided by the sum of the weights.
-learner=$(mktemp -d)
-trap 'rm -rf "$learner"' EXIT
-mkdir "$learner/2-spheres" "$learner/3-triangles"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+learner=$scratch/my  # its name is in a picture
+mkdir -p "$learner/2-spheres" "$learner/3-triangles"
 cp src/core/2-spheres/*.hpp "$learner/2-spheres"
 cp src/core/3-triangles/*.hpp "$learner/3-triangles"
 sed -i.bak 's, / (a + b + c);,;,' "$learner/3-triangles/sides.hpp"

@@ -23,11 +23,12 @@ _glassbox_share() {
     done
 }
 
-# From a help page: its subcommands, its options, or the names that measure knows.
+# From a help page: its subcommands, its options, the names that measure knows, or the options that --minus can change.
 _glassbox_listed() {
     case $1 in
     commands) sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p' ;;
     options) sed -n 's/^  \(\(-[a-zA-Z],\)\{0,1\}--[a-z][a-z-]*\).*/\1/p' | tr , '\n' ;;
+    settings) sed -n -e '/^What is seen/,$!d' -e '/--size/d' -e '/--threads/d' -e 's/^  --\([a-z][a-z-]*\).*/\1/p' ;;
     measurements) sed -n '/^What can be measured/,/^$/s/^  \([a-z][a-z.-]*\) .*/\1/p' ;;
     esac
 }
@@ -121,8 +122,8 @@ _glassbox() {
     # --name=value for three words.
     for ((i = 1; i < COMP_CWORD; ++i)); do
         word=${COMP_WORDS[i]}
-        if [[ $word == '=' ]]; then continue
-        elif [[ -n $option || ${COMP_WORDS[i - 1]} == '=' ]]; then option=''
+        if [[ $word == [=:] ]]; then continue
+        elif [[ -n $option || ${COMP_WORDS[i - 1]} == [=:] ]]; then option=''
         elif [[ $word == -* ]]; then
             [[ $(_glassbox_told "$word" <<<"$help") != ' '[!\ ]* ]] || option=$word
         elif commands=$(_glassbox_listed commands <<<"$help") && ((${#words[@]} == 0)) && _glassbox_has "$commands" "$word"; then
@@ -135,6 +136,11 @@ _glassbox() {
         option=$before
     elif [[ $before == '=' ]]; then
         option=${COMP_WORDS[COMP_CWORD - 2]}
+    elif [[ $cur == ':' || $before == ':' ]]; then # of a setting, scalar:certified, which are three words to Bash
+        word=$before
+        [[ $cur == ':' ]] || word=${COMP_WORDS[COMP_CWORD - 2]}
+        [[ $cur != ':' ]] || cur=''
+        option=--${word##*,}
     fi
 
     case $option in
@@ -148,6 +154,12 @@ _glassbox() {
     --mistake) _glassbox_offer "$(_glassbox_mistakes "$program" "${words[@]}")" "$cur" ;;
     --against) _glassbox_offer embree "$cur" ;;
     --overlay) _glassbox_offer "$("$program" measure --help 2>/dev/null | _glassbox_listed measurements)" "$cur" ;;
+    --minus) # settings: an option's name, a colon, and its value
+        word=''
+        [[ $cur != *,* ]] || word=${cur%,*},
+        _glassbox_offer "$(_glassbox_listed settings <<<"$help" | sed "s/.*/$word&:/")" "$cur"
+        compopt -o nospace 2>/dev/null
+        ;;
     --what) # several, with commas between: what is before the last one stays
         word=''
         [[ $cur != *,* ]] || word=${cur%,*},

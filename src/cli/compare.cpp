@@ -67,12 +67,13 @@ bool compare_rays(const CLI::App& command, const CompareRequest& request, Sessio
     const Claims claims = read_hits(here_or_shipped(request.hits), rays.size(), spheres + triangles);
     note(command, "not used", unused_options(command, Rays::of_ones_own, options));
     const Theirs theirs = theirs_of(command, request);
-    const auto compared_in = [&](TheirPrecision precision) {
-        Progress progress("comparing", 2 * static_cast<std::int64_t>(rays.size()));  // shot, then judged
+    const auto compared_in = [&](TheirPrecision precision, std::vector<Shot> truth) {
+        const std::int64_t times = truth.empty() ? 2 : 1;  // shot, then judged
+        Progress progress("comparing", times * static_cast<std::int64_t>(rays.size()));
         return compare_rays(scene, options, rays, claims, {precision, theirs.formulas},
-                            {request.threads, session.interrupt.token(), &progress.done()});
+                            {request.threads, session.interrupt.token(), &progress.done()}, std::move(truth));
     };
-    const RayComparison comparison = compared_in(theirs.precision);
+    const RayComparison comparison = compared_in(theirs.precision, {});
     const std::size_t beyond = count_beyond_rounding(comparison);
     const auto command_for = [&](std::size_t ray) {
         if (!is_valid(rays[ray])) return std::string();
@@ -80,7 +81,7 @@ bool compare_rays(const CLI::App& command, const CompareRequest& request, Sessio
     };
     RaysReport report{comparison, claims, theirs, static_cast<std::size_t>(request.worst), command_for};
     if (beyond > 0 && theirs.precision == TheirPrecision::double_)
-        report.beyond_float = count_beyond_rounding(compared_in(TheirPrecision::float_));
+        report.beyond_float = count_beyond_rounding(compared_in(TheirPrecision::float_, comparison.ours));
     print_text(request.json ? to_json(report) : to_text(report));
     return beyond > 0;
 }

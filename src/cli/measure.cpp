@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -9,6 +10,7 @@
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
 #include "output/output_file.hpp"
+#include "render/measure/measure_difference.hpp"
 #include "render/render.hpp"
 #include "render/typed.hpp"
 #include "scene/suggestion.hpp"
@@ -19,6 +21,7 @@ namespace {
 
 struct MeasureRequest : Request {
     std::vector<const Measurement*> wanted;
+    std::optional<Minus> minus;
     SetSpacing spacing;
     std::string out;
 };
@@ -51,23 +54,60 @@ std::vector<std::string> without_value(const std::vector<Measured>& all) {
     return names;
 }
 
+/// What was measured, with what keeps it.
+struct Kept {
+    std::vector<std::vector<Channel>> channels;
+    std::vector<MeasuredDifference> differences;
+    std::vector<Measured> measured;
+};
+
+/// Throws WrongWord where a difference, or its scale, has no meaning.
+void check_difference(const MeasureRequest& request) {
+    if (!request.minus) return;
+    for (const Measurement* what : request.wanted)
+        if (const std::string why = why_no_difference(*what); !why.empty()) throw wrong("--minus", why);
+    if (request.spacing == Spacing::log || request.spacing == Spacing::percentile)
+        throw wrong("--scale", "a difference has both signs; linear and symlog show them");
+}
+
+/// By what is measured; the scene has its part of it already.
+Setup setup_of(const MeasureRequest& request, const Scene& scene) {
+    Setup setup = setup_of(scene);
+    setup.options = request.setup.options;
+    return setup;
+}
+
+Kept measured(const Scene& scene, const MeasureRequest& request, Session& session) {
+    const std::int64_t times = request.minus ? 2 : 1;
+    Progress progress("measuring", times * scene.width * scene.height);
+    const Job job{request.threads, session.interrupt.token(), &progress.done()};
+    Kept kept;
+    if (request.minus) {
+        kept.differences = measure_difference(scene, setup_of(request, scene), *request.minus, request.wanted, job);
+        for (const MeasuredDifference& each : kept.differences)
+            kept.measured.push_back({each.what.get(), {&each.channel, 1}, request.spacing});
+    } else {
+        kept.channels = measure(scene, request.setup.options, request.wanted, job);
+        for (std::size_t i = 0; i < kept.channels.size(); ++i)
+            kept.measured.push_back({request.wanted[i], kept.channels[i], request.spacing});
+    }
+    return kept;
+}
+
 void run(const CLI::App& command, const MeasureRequest& request, Session& session) {
+    check_difference(request);
     check_measurements_file(request.out);
     const Scene scene = load(request);
     note(command, "not used", unused_options(command, Rays::of_a_picture, request.setup.options));
-    std::vector<std::vector<Channel>> channels = [&] {
-        Progress progress("measuring", std::int64_t{scene.width} * scene.height);
-        return measure(scene, request.setup.options, request.wanted,
-                       {request.threads, session.interrupt.token(), &progress.done()});
-    }();
-    std::vector<Measured> measured;
-    for (std::size_t i = 0; i < channels.size(); ++i)
-        measured.push_back({request.wanted[i], channels[i], request.spacing});
-    note(command, "no value at any pixel", without_value(measured));
+    if (request.minus && changed_by(*request.minus, setup_of(request, scene)) == setup_of(request, scene))
+        note(command, "--minus changes nothing", {"every difference is 0"});
+    const Kept kept = measured(scene, request, session);
+    note(command, "no value at any pixel", without_value(kept.measured));
     std::vector<std::string_view> names;
     for (const Measurement* what : request.wanted) names.emplace_back(what->name);
-    const Origin origin{measure_command(scene_words(request), names, measurements_extension(request.out))};
-    write_measurements(request.out, measured, origin, session.interrupt.token());
+    const MeasureWords words{names, request.spacing, request.minus ? &*request.minus : nullptr};
+    const Origin origin{measure_command(scene_words(request), words, measurements_extension(request.out))};
+    write_measurements(request.out, kept.measured, origin, session.interrupt.token());
 }
 
 }  // namespace
@@ -83,6 +123,11 @@ void add_measure(CLI::App& program, Session& session) {
             "what to measure; several separated by commas")
         ->type_name("NAME[,NAME...]")
         ->required();
+    command
+        ->add_option_function<std::string>(
+            "--minus", [request](const std::string& typed) { request->minus = minus("--minus", typed); },
+            "what is measured so, minus the same with these settings changed: scalar:certified")
+        ->type_name("NAME:VALUE[,...]");
     const std::vector<std::string_view> known = names(spacings);
     command
         ->add_option_function<std::string>(

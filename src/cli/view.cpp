@@ -12,6 +12,7 @@
 #include "scene/scene_path.hpp"
 #include "scene/text_file.hpp"
 #include "viewer/bench.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/script/script.hpp"
 #include "viewer/view.hpp"
 
@@ -23,7 +24,7 @@ namespace {
 constexpr const char* present_lesson = "true";
 
 struct ViewRequest : Request {  ///< without a scene: the paper's, or that of the learner's lesson
-    std::string pixel, overlay, script, screenshot, window, mine, folder;
+    std::string pixel, overlay, minus, script, screenshot, window, mine, folder;
     bool bench = false;
 };
 
@@ -95,6 +96,12 @@ void run(const ViewRequest& request, const std::stop_token& stop) {
         state.overlay.measurement = measurement("--overlay", request.overlay).name;
         state.page = Page::overlay;
     }
+    if (!request.minus.empty()) {
+        if (request.overlay.empty())
+            throw wrong("--minus", "needs a measurement to subtract from, such as --overlay depth");
+        subtract(state.overlay, minus("--minus", request.minus));
+        if (const std::string why = why_not_subtracted(state.overlay); !why.empty()) throw wrong("--minus", why);
+    }
     if (!request.screenshot.empty()) {
         check_picture_file(request.screenshot);
         commands.emplace_back(script::Screenshot{request.screenshot});
@@ -119,6 +126,10 @@ void add_view(CLI::App& program, Session& session) {
         ->type_name(" ");
     command->add_option("--pixel", request->pixel, "a pixel to begin with")->type_name("X,Y");
     command->add_option("--overlay", request->overlay, "a measurement to lay over the picture")->type_name("NAME");
+    command
+        ->add_option("--minus", request->minus,
+                     "minus the same measurement with these settings changed: scalar:certified")
+        ->type_name("NAME:VALUE[,...]");
     command->add_flag("--mine", request->mine,
                       "the picture of your own code beside ours: of the lesson where you are, of lesson 2 with "
                       "--mine=2, of all that you have written with --mine=all");

@@ -100,7 +100,10 @@ public:
         const Ray<double> ray = pixel_ray(view_, x, y, scene_.height);
         const Ray<Enclosure<Real>> theirs = their_view_.ray(x, y);
         const std::vector<TrueHit> hits = is_valid(ray) ? true_hits(search_, ray) : std::vector<TrueHit>{};
-        if (!hits.empty()) one.truth = Hit<double>{hits.front().surface, hits.front().t.value};
+        if (!hits.empty()) {
+            const std::size_t nearest = hits.front().surface;
+            one.truth = Hit<double>{nearest, true_t_of(search_, ray, nearest)};
+        }
         Found best{Cause::mistake, {}, {}};
         if (one.truth) consider(best, theirs, hits, one.truth->surface, one.theirs);  // the likeliest first
         for (std::size_t surface = 0; surface < surfaces_.size() && best.cause > Cause::rounding; ++surface)

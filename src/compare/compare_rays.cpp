@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "compare/precision.hpp"
 #include "render/parallel.hpp"
@@ -62,9 +63,11 @@ private:
         const auto met = std::ranges::find(hits, named, &TrueHit::surface);
         if (met != hits.end() && met->as_near) result.cause = Cause::tie;
         if (!claim.t || is_beyond_rounding(result.cause)) return;
-        if (met != hits.end() && is_same_t(*claim.t, met->t.value)) return;
+        const bool is_met = met != hits.end();
+        const auto its_true_t = is_met ? std::optional(true_t_of(search_, ray, named)) : std::nullopt;
+        if (is_met && is_same_t(*claim.t, *its_true_t)) return;
         RayDifference its_t = result;
-        judge_t(its_t, claim, met != hits.end() ? std::optional<double>(met->t.value) : std::nullopt, *seen.seen);
+        judge_t(its_t, claim, its_true_t, *seen.seen);
         // What explains the surface need not explain its t.
         if (its_t.cause > result.cause) result = its_t;
     }
@@ -127,13 +130,6 @@ private:
     const Claims& claims_;
 };
 
-RayBounds bounds_of(std::span<const Ray<double>> rays) {
-    RayBounds all;
-    for (const Ray<double>& ray : rays)
-        if (is_valid(ray)) all = including(all, ray);
-    return all;
-}
-
 }  // namespace
 
 std::size_t RayComparison::count(Cause cause) const {
@@ -146,15 +142,16 @@ std::size_t RayComparison::count(Wrong wrong, Cause cause) const {
 }
 
 RayComparison compare_rays(const Scene& scene, const Options& options, std::span<const Ray<double>> rays,
-                           const Claims& claims, const Theirs& theirs, const Job& job) {
+                           const Claims& claims, const Theirs& theirs, const Job& job, std::vector<Shot> truth) {
     Options proven = options;
     if (engine_can(proven)) proven.engine = EngineChoice::fast;
     Job ours = job;
     if (!ours.engine) ours.engine = build_engine(scene, options.stage, job.threads);
-    RayComparison result{shoot(scene, proven, rays, ours), {}};
+    if (truth.size() != rays.size()) truth = shoot(scene, proven, rays, ours);
+    RayComparison result{std::move(truth), {}};
 
     std::mutex adding;
-    with_search<AllMet>(scene, proven, bounds_of(rays), ours, [&]<class Search>(const Search& search) {
+    with_search<AllMet>(scene, proven, reach_of(rays), ours, [&]<class Search>(const Search& search) {
         if constexpr (requires { search.predicates(); })
             with_precision(theirs.precision, [&]<class Real>(std::type_identity<Real>) {
                 const RayJudge<Real, Search> judge(search, *ours.engine, theirs.formulas, claims);

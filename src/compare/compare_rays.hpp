@@ -44,9 +44,10 @@ struct Theirs {
     Formulas formulas;
 };
 
-/// Compares what another program says with the truth, for each ray. The options' scalar must be a proven one. Throws
+/// Compares what another program says with the truth, for each ray. The options' scalar must be a proven one. `truth`
+/// is what an earlier comparison of these rays found, `RayComparison::ours`; without it they are traced. Throws
 /// Cancelled.
 RayComparison compare_rays(const Scene& scene, const Options& options, std::span<const Ray<double>> rays,
-                           const Claims& claims, const Theirs& theirs, const Job& job);
+                           const Claims& claims, const Theirs& theirs, const Job& job, std::vector<Shot> truth = {});
 
 }  // namespace glassbox

@@ -15,7 +15,7 @@ namespace glassbox {
 /// A surface that a ray truly meets.
 struct TrueHit {
     std::size_t surface = 0;
-    Bounded t;
+    Bounded t;             ///< with a running bound; `true_t_of` knows it better
     bool as_near = false;  ///< exactly as near as the nearest, or it is the nearest
 };
 
@@ -30,6 +30,18 @@ struct AllMet {
     void operator()(told::Met, std::size_t surface, double) { surfaces.push_back(surface); }
 };
 
+/// A hit whose t has no bound yet.
+inline ProvenHit not_bounded_yet(std::size_t surface) {
+    return {surface, {0, std::numeric_limits<double>::infinity()}, 0};
+}
+
+/// The true t of a surface that the ray meets, nearly as well as a double can say it: with exact arithmetic, if need
+/// be.
+template <class Search>
+double true_t_of(const Search& search, const Ray<double>& ray, std::size_t surface) {
+    return search.predicates().sharpened(ray, not_bounded_yet(surface)).value;
+}
+
 /// All that a valid ray truly meets, nearest first; of equals the one listed last. `search` must be a proven one.
 template <class Search>
 std::vector<TrueHit> true_hits(const Search& search, const Ray<double>& ray) {
@@ -37,8 +49,7 @@ std::vector<TrueHit> true_hits(const Search& search, const Ray<double>& ray) {
     search.trace_proven(ray, probe);
     std::vector<TrueHit> hits;
     for (const std::size_t surface : probe.surfaces)
-        hits.push_back({surface, search.predicates().sharpened(
-                                     ray, {surface, {0, std::numeric_limits<double>::infinity()}, 0, 0})});
+        hits.push_back({surface, search.predicates().with_bound(ray, not_bounded_yet(surface)).t});
     const auto order = [&](const TrueHit& a, const TrueHit& b) {
         if (surely(a.t < b.t)) return -1;
         if (surely(a.t > b.t)) return 1;

@@ -57,12 +57,14 @@ struct LongNumber {
     }
 };
 
-/// A value without rounding: exact while it needs no more than one square root, then a long float.
+/// A value without rounding: exact while it needs no more than one square root, then a long float. A long float, too,
+/// where too many numbers would have to be multiplied: a loop may square a number again and again.
 class True {
 public:
     static constexpr int no_root = -1;
+    static constexpr int largest = 4096;
 
-    explicit True(Exact exact, int root = no_root) : exact_(std::move(exact)), root_(root) {}
+    explicit True(Exact exact, int root = no_root, int size = 1) : exact_(std::move(exact)), root_(root), size_(size) {}
     explicit True(LongNumber number) : long_(std::move(number)) {
         if (long_.sign() == 0) exact_ = Exact();
     }
@@ -70,6 +72,7 @@ public:
     bool is_exact() const { return exact_.has_value(); }
     const Exact& exact() const { return *exact_; }
     int root() const { return root_; }
+    int size() const { return size_; }
     LongNumber to_long() const {
         if (!exact_) return long_;
         const Long value = exact_->to_long();
@@ -81,6 +84,7 @@ public:
 private:
     std::optional<Exact> exact_;
     int root_ = no_root;  ///< the step that took its square root
+    int size_ = 1;        ///< how many given numbers it is made of, each as often as it is used
     LongNumber long_;
 };
 
@@ -94,7 +98,9 @@ bool share_a_root(const True& a, const True& b) {
 
 template <class Do>
 True combined(const True& a, const True& b, const Do& apply) {
-    if (share_a_root(a, b)) return True(apply(a.exact(), b.exact()), std::max(a.root(), b.root()));
+    const int size = a.size() + b.size();
+    if (share_a_root(a, b) && size <= True::largest)
+        return True(apply(a.exact(), b.exact()), std::max(a.root(), b.root()), size);
     return True(apply(a.to_long(), b.to_long()));
 }
 
@@ -130,7 +136,7 @@ MaybeTrue truth_of(Operation comparison, std::optional<int> order) {
 
 /// The square root of a number of 0 or more.
 MaybeTrue root_of(const True& a, int step) {
-    if (a.is_exact() && a.root() == True::no_root) return True(sqrt(a.exact()), step);
+    if (a.is_exact() && a.root() == True::no_root) return True(sqrt(a.exact()), step, a.size());
     if (a.sign() == 0) return a;
     return True(sqrt(a.to_long()));
 }
@@ -181,9 +187,9 @@ MaybeTrue truth_of(const Step& step, int number, const MaybeTrue& a, const Maybe
             if (!b->sign() || *b->sign() == 0) return {};
             return combined(*a, *b, [](const auto& x, const auto& y) { return x / y; });
         case Operation::negate:
-            return a->is_exact() ? True(-a->exact(), a->root()) : True(-a->to_long());
+            return a->is_exact() ? True(-a->exact(), a->root(), a->size()) : True(-a->to_long());
         case Operation::absolute:
-            return a->is_exact() ? True(abs(a->exact()), a->root()) : True(abs(a->to_long()));
+            return a->is_exact() ? True(abs(a->exact()), a->root(), a->size()) : True(abs(a->to_long()));
         case Operation::square_root:
             if (!a->sign() || *a->sign() < 0) return {};
             return root_of(*a, number);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 #include <vec3.hpp>
 
 #include "explain/replay.hpp"
+#include "explain/source_file.hpp"
 #include "render/measure/reference_search.hpp"
 #include "render/options.hpp"
 
@@ -89,6 +91,7 @@ struct Surface {
     std::variant<SphereTest, TriangleTest> test;
     std::vector<StoryStep> steps;  ///< of the test by the chosen rule
     std::vector<Call> calls;       ///< in which they were done
+    bool is_finished = true;       ///< otherwise the program ended during the test: there is no answer
 };
 
 /// One term of the shading: k, its value at this point, and its light.
@@ -139,6 +142,13 @@ struct LeastSure {
     double worst_loss = 0;            ///< how many bits
 };
 
+/// How a program that records a story ended before it was done.
+struct EarlyEnd {
+    std::string words;    ///< "it followed a null pointer (address 0x0)"
+    bool at_hit = false;  ///< all tests were done
+    Call in;              ///< the call that it was in; of none, there is no name
+};
+
 /// What a pixel shows, beside the truth: the reference search's, which shares nothing with the search that is judged.
 /// Both are about the doubles of the scene and the ray; colours are not judged.
 struct Judgement {
@@ -180,6 +190,8 @@ struct Story {
     std::vector<story::Surface> surfaces;       ///< those met, and the nearest misses
     std::size_t not_listed = 0;                 ///< how many more were missed
     std::optional<story::FirstHit> hit;
+    std::shared_ptr<const OwnSources> own;  ///< whose formulas these are, if not ours; else null
+    std::optional<story::EarlyEnd> ended;   ///< of formulas that are not ours: they did not get to the end
 };
 
 }  // namespace glassbox

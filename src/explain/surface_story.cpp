@@ -103,7 +103,7 @@ bool is_lost(const Number& number, const Options& options) {
 }
 
 /// Why a sphere was missed.
-Fate why_missed(const SphereTest& test, const Options& options) {
+Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Options& options) {
     const RootPair& roots = std::holds_alternative<Stable>(options.sphere_rule) ? test.stable : test.textbook;
     const bool history = std::holds_alternative<Levental2014>(options.sphere_rule);
     if (is_lost(roots.discriminant, options)) return Fate::overflow;
@@ -131,10 +131,6 @@ Fate why_missed(const TriangleTest& test, const std::optional<Number>& t, const 
     return t && deciding_sign(*t, options) <= 0 ? Fate::behind : Fate::refused;
 }
 
-Fate why_missed(const SphereTest& test, const std::optional<Number>&, const Options& options) {
-    return why_missed(test, options);
-}
-
 template <class Real, class Shape, class Rule>
 Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, const Options& options,
                 const TracedPixel& pixel, std::size_t number, std::optional<ToldTest> known) {
@@ -148,7 +144,7 @@ Surface tell_of(const Ray<double>& ray, const Shape& shape, const Rule& rule, co
     result.calls = std::move(by_rule.calls);
     const Hit<long double>* const hit = met(pixel, number);
     if (!hit) {
-        result.fate = why_missed(test, result.t, options);
+        result.fate = why_missed(result.test, result.t, options);
         if (result.fate != Fate::behind && result.fate != Fate::from_inside) result.t.reset();
         return result;
     }
@@ -184,6 +180,12 @@ bool are_as_near(const engine::Engine& surfaces, const Options& options, const T
 }
 
 }  // namespace
+
+story::Fate why_missed(const std::variant<story::SphereTest, story::TriangleTest>& test,
+                       const std::optional<story::Number>& t, const Options& options) {
+    if (const auto* sphere = std::get_if<SphereTest>(&test)) return why_missed(*sphere, t, options);
+    return why_missed(std::get<TriangleTest>(test), t, options);
+}
 
 std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel,
                                        std::span<const std::size_t> besides, std::size_t most) {

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "engine/engine.hpp"
@@ -15,6 +16,11 @@ namespace glassbox {
 /// most `most` in all; in the order of their numbers.
 std::vector<std::size_t> worth_telling(const engine::Engine& surfaces, const TracedPixel& pixel,
                                        std::span<const std::size_t> besides, std::size_t most);
+
+/// Why a surface was missed: `test` has the chosen rule's numbers, `t` is where the line meets it, if that was
+/// computed.
+story::Fate why_missed(const std::variant<story::SphereTest, story::TriangleTest>& test,
+                       const std::optional<story::Number>& t, const Options& options);
 
 /// The story of one surface; `known` is its test by the chosen rule, where it was recorded already. The caller fills in
 /// its kind and colour.

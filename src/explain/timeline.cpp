@@ -12,6 +12,7 @@
 #include "explain/loss.hpp"
 #include "explain/phrases.hpp"
 #include "explain/reading_order.hpp"
+#include "explain/verdict_phrases.hpp"
 #include "explain/words.hpp"
 #include "render/option_names.hpp"
 
@@ -80,9 +81,10 @@ public:
     std::vector<Event> tell() && {
         tell_ray();
         for (std::size_t row = 0; row < story_.surfaces.size(); ++row) tell_surface(row);
-        if (story_.options.stage > 1) tell_nearest();
+        if (story_.options.stage > 1 && (!story_.ended || story_.ended->at_hit)) tell_nearest();
         if (story_.hit) tell_hit();
-        tell_pixel();
+        if (story_.ended) tell_early_end();
+        else tell_pixel();
         find_makers();
         return std::move(events_);
     }
@@ -141,13 +143,15 @@ private:
         add(group_ + ", is tested", {}, rule);
         events_.back().surface = row;
         tell_steps(surface.steps, surface.calls, row, [](std::size_t) { return true; });
-        const bool met = is_met(surface.fate);
+        if (!surface.is_finished) return;
+        const bool met = is_met(surface.fate), is_wrong = (story_.own || story_.judgement) && met != surface.truly_met;
         std::string answer =
             met ? fmt::format("met at t = {}", surface.t ? short_number(surface.t->value) : "") : why(surface, story_);
         if (surface.needed_exact) answer += ", decided in exact arithmetic";
+        if (is_wrong && story_.own) answer += met ? "; but truly it is missed" : "; but truly it is met";
         add(fmt::format("surface {}: {}", surface.number, answer), met, rule);
         events_.back().surface = row;
-        events_.back().failed = surface.fate == Fate::overflow;
+        events_.back().failed = surface.fate == Fate::overflow || is_wrong;
     }
 
     Function rule_of(const Surface& surface) const {
@@ -171,6 +175,7 @@ private:
                             short_number(story_.hit->t.value),
                             story_.hit->t_by_exact ? ", the truth rounded once" : ""),
                 {}, by);
+        events_.back().failed = mark_of(story_) == story::Mark::wrong;
     }
 
     void tell_hit() {
@@ -203,6 +208,49 @@ private:
         }
         add(fmt::format("the ray brings {}", triple(story_.traced)), {}, by);
         if (story_.border) add(fmt::format("the border is painted over it: {}", triple(story_.color)));
+    }
+
+    /// "at my/2-spheres/chord.hpp:30"; of what ours did, the learner's line that called it is told, too.
+    std::string for_which_line(const StepPlace& place) const {
+        const Step& step = tape_of(story_, place)[place.step].step;
+        const auto is_own = [&](std::string_view file) {
+            const std::span<const SourceFile> own = story_.own ? story_.own->files() : std::span<const SourceFile>();
+            return std::ranges::any_of(own, [&](const SourceFile& header) { return header.path == file; });
+        };
+        const auto line_of = [&](std::string_view file, int line) {
+            return fmt::format("{}:{}", is_own(file) ? file : source(file), line);
+        };
+        const std::string its_line = line_of(step.file, step.line);
+        if (is_own(step.file)) return "at " + its_line;
+        std::string from;
+        for (const CallNumber number : calls_around(story_, place)) {
+            const Call& call = calls_of(story_, place)[number];
+            if (is_own(call.file)) from = line_of(call.file, call.line);
+        }
+        return from.empty() ? "at " + its_line : fmt::format("for {}, at {}", from, its_line);
+    }
+
+    /// The last event of a program that did not get to the end.
+    void tell_early_end() {
+        std::optional<StepPlace> last;
+        const auto last_of = [&](std::optional<std::size_t> row, Steps steps) {
+            if (!steps.empty()) last = StepPlace{row, static_cast<StepNumber>(steps.size() - 1)};
+        };
+        last_of({}, story_.ray_steps);
+        if (story_.hit) last_of({}, story_.hit->steps);
+        else if (!story_.surfaces.empty()) last_of(story_.surfaces.size() - 1, story_.surfaces.back().steps);
+        group_ = "the end";
+        std::string what = story_.ended->words;
+        if (const Call& in = story_.ended->in; *in.function != '\0')
+            what = fmt::format("in `{}` of {} {}", in.function, in.header, what);
+        // Inputs have no line: nothing had been computed with them yet.
+        if (last && *tape_of(story_, *last)[last->step].step.file == '\0') last.reset();
+        if (last)
+            what += (what.ends_with('?') ? " The last" : "; the last") +
+                    (" step before that was done " + for_which_line(*last));
+        add(std::move(what));
+        events_.back().failed = true;
+        events_.back().stopped_after = last;
     }
 
     /// Finds the event that made each operand. The hit's tape repeats the test of its surface, and some steps of its

@@ -32,7 +32,8 @@ struct Event {
     std::optional<std::size_t> left_made_by, right_made_by;
     std::optional<StepPlace> serves;  ///< the step that it is done for: the next with a name, or outside vec3.hpp
     std::string left, right;          ///< how a step's operands are written
-    std::string_view file, function;  ///< of what is no step: which function of the core does it, if one does
+    std::optional<StepPlace> stopped_after;  ///< of a program's early end: the step that it did last
+    std::string_view file, function;         ///< of what is no step: which function of the core does it, if one does
 };
 
 /// All events of a pixel's story, in the order in which they happened: the ray; each listed surface's test with its

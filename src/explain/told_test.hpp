@@ -3,15 +3,12 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "explain/explain.hpp"
-#include "explain/inputs.hpp"
-#include "explain/naming_probe.hpp"
+#include "explain/recorded_test.hpp"
 #include "explain/replay.hpp"
 #include "explain/story.hpp"
-#include "render/rules.hpp"
 
 namespace glassbox {
 
@@ -35,6 +32,9 @@ public:
         return {(*this)(v.x), (*this)(v.y), (*this)(v.z)};
     }
 
+    /// The number of a step; there must be a replay.
+    story::Number at(StepNumber step) const { return checked_[step]; }
+
     /// The tape's first steps with their names and checks; none without a replay.
     std::vector<story::StoryStep> steps(std::size_t count) const {
         std::vector<story::StoryStep> told;
@@ -48,36 +48,6 @@ public:
 private:
     const Tape& tape_;
     std::vector<Checked> checked_;
-};
-
-/// A surface's test by a rule, with each operation recorded on a tape. More may be recorded after it.
-template <class Real, class Shape>
-struct RecordedTest {
-    using Number = Recorded<Real>;
-
-    Tape tape{Precision::of<Real>()};
-    NamingProbe<Real> heard;
-    Ray<Number> ray;
-    decltype(input<Real>(std::declval<Tape&>(), std::declval<const Shape&>())) shape;
-    Crossing<Number> crossing;
-    std::size_t step_count;  ///< of the test
-
-    /// `rule` is a SphereRule or a TriangleRule.
-    template <class Rule>
-    RecordedTest(const Ray<double>& by, const Shape& tested, const Rule& rule)
-        : ray(input<Real>(tape, by)),
-          shape(input<Real>(tape, tested)),
-          crossing(std::visit([&](const auto& chosen) { return intersect(ray, shape, chosen, heard); }, rule)),
-          step_count(tape.steps().size()) {}
-    RecordedTest(const RecordedTest&) = delete;  // the numbers know their tape by its address
-    RecordedTest& operator=(const RecordedTest&) = delete;
-
-    /// The weights of a triangle that the line meets, recorded after all that is there. Only the tolerance rule tells
-    /// the sum that they are parts of.
-    std::optional<std::array<Number, 3>> weights() const {
-        if (!heard.sum || heard.sum->value() == 0) return {};
-        return std::array{*heard.a / *heard.sum, *heard.b / *heard.sum, *heard.c / *heard.sum};
-    }
 };
 
 /// What a test told: its numbers with their checks, and its steps.

@@ -87,6 +87,11 @@ auto intersect(const Ray<Recorded<Real>>& ray, const Triangle<Recorded<Real>>& t
     const Calling here(tape_of(ray.P, ray.D), {"intersect_triangle.hpp", "intersect", file, line});
     return intersect<Recorded<Real>>(ray, triangle, Followed<Rule>{rule}, probe);
 }
+template <class Rule, std::floating_point Real, class Probe>
+auto roots_by(const Rule& rule, const Ray<Recorded<Real>>& ray, const Sphere<Recorded<Real>>& sphere, Probe& probe,
+              const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+    return Followed<Rule>{rule}(ray, sphere, probe, file, line);
+}
 template <std::floating_point Real>
 auto dot(const Vec3<Recorded<Real>>& a, const Vec3<Recorded<Real>>& b, const char* file = __builtin_FILE(),
          int line = __builtin_LINE()) {
@@ -197,6 +202,12 @@ auto by_sides(const Ray<Recorded<Real>>& ray, const Triangle<Recorded<Real>>& tr
               Probe& probe, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
     const Calling here(tape_of(ray.P), {"intersect_triangle.hpp", "by_sides", file, line});
     return by_sides<Recorded<Real>>(ray, triangle, is_inside, probe);
+}
+template <std::floating_point Real, class Probe>
+auto accepts(const Tolerance& rule, const Sides<Recorded<Real>>& sides, Probe& probe,
+             const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+    const Calling here(tape_of(sides.a, sides.b, sides.c), {"tolerance.hpp", "accepts", file, line});
+    return accepts<Recorded<Real>>(rule, sides, probe);
 }
 template <std::floating_point Real>
 auto normal(const Triangle<Recorded<Real>>& triangle, const char* file = __builtin_FILE(),

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,11 +83,31 @@ struct Step {
     CallNumber call = 0;  ///< the innermost call in which it is done
 };
 
+/// A name given to a step.
+using StepName = std::pair<StepNumber, std::string>;
+
+/// Hears what a tape records at once: for a program of which nothing else may be left.
+class TapeListener {
+public:
+    virtual ~TapeListener() = default;
+    virtual void on_step(const Step& step) = 0;
+    virtual void on_name(StepNumber step, std::string_view name) = 0;
+    virtual void on_call(const Call& call) = 0;
+    virtual void on_return(CallNumber to) = 0;
+};
+
 /// All operations of a computation in one scalar, in the order of execution, with the names given to some of them, and
 /// the calls in which they were done.
 class Tape {
 public:
-    explicit Tape(Precision precision = Precision::of<double>()) : precision_(precision) {}
+    /// The listener, if there is one, must outlive the recording.
+    explicit Tape(Precision precision = Precision::of<double>(), TapeListener* listener = nullptr)
+        : precision_(precision), listener_(listener) {}
+
+    /// A tape that was recorded elsewhere. Operands must be earlier steps, and callers earlier calls; call 0 is no
+    /// call.
+    Tape(Precision precision, std::vector<Step> steps, std::vector<Call> calls, std::vector<StepName> names)
+        : precision_(precision), steps_(std::move(steps)), calls_(std::move(calls)), names_(std::move(names)) {}
 
     /// The scalar's precision.
     Precision precision() const { return precision_; }
@@ -95,11 +116,15 @@ public:
     StepNumber append(Step step) {
         step.call = call_;
         steps_.push_back(step);
+        if (listener_) listener_->on_step(step);
         return static_cast<StepNumber>(steps_.size() - 1);
     }
 
     /// Names a step. A step may have several names, in the order given.
-    void name(StepNumber step, std::string name) { names_.emplace_back(step, std::move(name)); }
+    void name(StepNumber step, std::string name) {
+        if (listener_) listener_->on_name(step, name);
+        names_.emplace_back(step, std::move(name));
+    }
 
     const std::vector<Step>& steps() const { return steps_; }
     const Step& operator[](StepNumber step) const { return steps_[step]; }
@@ -109,9 +134,13 @@ public:
         call.caller = call_;
         call_ = static_cast<CallNumber>(calls_.size());
         calls_.push_back(call);
+        if (listener_) listener_->on_call(call);
     }
     /// Leaves the present call, if there is one.
-    void leave() { call_ = calls_[call_].caller; }
+    void leave() {
+        call_ = calls_[call_].caller;
+        if (listener_) listener_->on_return(call_);
+    }
     const std::vector<Call>& calls() const { return calls_; }
 
     /// The first name of each step; empty for those without.
@@ -124,10 +153,11 @@ public:
 
 private:
     Precision precision_;
+    TapeListener* listener_ = nullptr;
     std::vector<Step> steps_;
     std::vector<Call> calls_{Call{}};
     CallNumber call_ = 0;
-    std::vector<std::pair<StepNumber, std::string>> names_;
+    std::vector<StepName> names_;
 };
 
 }  // namespace glassbox

@@ -52,6 +52,20 @@ ColorMap evenly(OkLab (*curve)(double)) {
 ColorMap sequential_colors() { return evenly(sequential_curve); }
 ColorMap diverging_colors() { return evenly(diverging_curve); }
 
+ColorMap difference_colors() {
+    const ColorMap whole = evenly(diverging_curve);
+    constexpr std::size_t middle = ColorMap::steps / 2;
+    constexpr double left_out = 0.12;  // on either side of the middle
+    std::array<Rgb, ColorMap::steps + 1> colors{};
+    colors[middle] = whole(0.5);
+    for (std::size_t i = 1; i <= middle; ++i) {
+        const double aside = std::lerp(left_out, 0.5, static_cast<double>(i - 1) / (middle - 1));
+        colors[middle - i] = whole(0.5 - aside);
+        colors[middle + i] = whole(0.5 + aside);
+    }
+    return ColorMap(colors);
+}
+
 ColorMap danger_colors(double alarm) {
     const ColorMap whole = evenly(danger_curve);
     if (alarm >= 1) return whole;

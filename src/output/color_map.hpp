@@ -30,6 +30,9 @@ ColorMap sequential_colors();
 /// From dark blue (0) through near-white (0.5) to dark orange (1): lightness depends on the distance from 0.5 only.
 ColorMap diverging_colors();
 
+/// The same three, without the palest: whatever is not in the very middle is blue or orange at sight.
+ColorMap difference_colors();
+
 /// From dark blue-grey, where it is safe, through grey to bright yellow: the colours of danger. Lightness rises from
 /// 0.3 to 0.95, with a step at `alarm`, from where on all is bright.
 ColorMap danger_colors(double alarm = 1);

@@ -57,7 +57,10 @@ Summary summarized(const Channel& channel, Spacing spacing) {
 
 Spacing spacing_of(const Measurement& what, const SetSpacing& set) {
     const bool fixed = what.scale == Scale::direction || what.scale == Scale::words;
-    return fixed ? Spacing::linear : set.value_or(what.spacing);
+    if (fixed) return Spacing::linear;
+    const Spacing spacing = set.value_or(what.spacing);
+    if (what.scale == Scale::difference && spacing != Spacing::linear) return Spacing::symlog;
+    return spacing;
 }
 
 double Coloring::position(double value) const {
@@ -106,6 +109,10 @@ Rgb Coloring::operator()(double value) const {
     if (std::isinf(value)) return value > 0 ? infinity : minus_infinity;
     if (clips() && value < limits().first) return below_color;
     if (clips() && value > limits().second) return above_color;
+    if (marks_0 && value != 0) {
+        constexpr double aside = 0.5 + 1.0 / ColorMap::steps;
+        return at(value > 0 ? std::max(position(value), aside) : std::min(position(value), 1 - aside));
+    }
     return at(value > low ? std::max(position(value), least_above_low) : position(value));
 }
 
@@ -119,6 +126,9 @@ ColorMap map_of(const Measurement& what, bool both_signs) {
             return alarm_colors();
         case Scale::words:
             return word_colors(what.words.size());
+        case Scale::difference:
+            if (both_signs) return difference_colors();
+            break;
         case Scale::sequential:
         case Scale::diverging:
         case Scale::direction:
@@ -172,7 +182,8 @@ Coloring coloring_of(const Measurement& what, const Summary& summary, const SetR
     // A map for both signs needs 0 in its middle.
     const Spacing chosen = spacing_of(what, spacing);
     const bool two_sided = chosen == Spacing::linear || chosen == Spacing::symlog;
-    const bool diverging = what.scale == Scale::diverging && two_sided && low <= 0 && 0 <= high;
+    const bool centred = what.scale == Scale::diverging || what.scale == Scale::difference;
+    const bool diverging = centred && two_sided && low <= 0 && 0 <= high;
     if (diverging) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;
@@ -184,6 +195,7 @@ Coloring coloring_of(const Measurement& what, const Summary& summary, const SetR
         coloring.minus_infinity = danger_minus_infinity_color;
         coloring.infinity = danger_infinity_color;
     }
+    coloring.marks_0 = what.scale == Scale::difference && diverging;
     if (what.scale == Scale::alarm) coloring.least_above_low = 1.0 / ColorMap::steps;
     coloring = spaced(std::move(coloring), chosen, summary);
     if (what.alarm == Alarm::below_0 && coloring.low < 0 && coloring.high > 0)

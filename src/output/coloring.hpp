@@ -31,7 +31,8 @@ Summary summarized(const Channel& channel, Spacing spacing = Spacing::linear);
 /// The range of a measurement's colours, if the user set one.
 using SetRange = std::optional<std::pair<double, double>>;
 
-/// The spacing that is used: words and directions have none but the linear one.
+/// The spacing that is used: words and directions have none but the linear one,
+/// differences none that hides a sign.
 Spacing spacing_of(const Measurement& what, const SetSpacing& set);
 
 /// Which value gets which colour.
@@ -45,6 +46,7 @@ struct Coloring {
     std::vector<double> percentiles = {};  // of that spacing: as Summary has them
     bool bright_is_low = false;            // the map's bright end stands for the low values
     double least_above_low = 0;            // what is above `low` has this position at least
+    bool marks_0 = false;                  // of a difference: 0 alone has the middle's colour
     Rgb minus_infinity = minus_infinity_color, infinity = infinity_color;
 
     /// The value's position between the ends, 0 to 1; 0.5 if they are the same.

@@ -57,6 +57,12 @@ std::vector<ColorWord> color_words(const Measurement& what, const Channel& chann
     const auto add = [&](std::int64_t count, Rgb color, const std::string& text) {
         if (count > 0) all.push_back({color, text, count});
     };
+    if (what.scale == Scale::difference) {
+        const auto signs = [&](auto is_so) { return std::ranges::count_if(channel.values, is_so); };
+        all.push_back({coloring(0), "0: no difference", signs([](double v) { return v == 0; })});
+        add(signs([](double v) { return v > 0 && std::isfinite(v); }), coloring.at(0.8), "positive");
+        add(signs([](double v) { return v < 0 && std::isfinite(v); }), coloring.at(0.2), "negative");
+    }
     if (what.alarm == Alarm::below_0)
         add(std::ranges::count_if(channel.values, [](double v) { return v < 0 && std::isfinite(v); }),
             coloring(std::max(-1.0, coloring.low)), "below 0: not decided");

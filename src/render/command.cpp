@@ -44,18 +44,22 @@ std::string render_command(const SceneWords& scene, std::string_view extension) 
     return begun("render", scene) + " -o " + file_word(usual_name(scene.file, {}, extension));
 }
 
-std::string measure_command(const SceneWords& scene, std::span<const std::string_view> what,
-                            std::string_view extension) {
-    return begun("measure", scene) + fmt::format(" --what {}", fmt::join(what, ",")) + " -o " +
-           file_word(usual_name(scene.file, what, extension));
+std::string measure_command(const SceneWords& scene, const MeasureWords& measured, std::string_view extension) {
+    std::string line = begun("measure", scene) + fmt::format(" --what {}", fmt::join(measured.what, ","));
+    if (measured.minus) line += " --minus " + shell_word(written(*measured.minus));
+    if (measured.spacing)
+        line +=
+            fmt::format(" --scale {}", name_where(spacings, [&](Spacing each) { return each == measured.spacing; }));
+    return line + " -o " + file_word(usual_name(scene.file, measured.what, extension, measured.minus));
 }
 
 std::string view_command(const SceneWords& scene, std::string_view more) { return begun("view", scene).append(more); }
 
 std::string usual_name(const std::filesystem::path& scene, std::span<const std::string_view> what,
-                       std::string_view ending) {
+                       std::string_view ending, const Minus* minus) {
     std::string name = scene.stem().string();
-    for (const std::string_view each : what) name.append("-").append(each);
+    for (const std::string_view each : what)
+        name.append("-").append(minus ? difference_file_name(each, *minus) : std::string(each));
     return name.append(ending);
 }
 

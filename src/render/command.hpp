@@ -9,6 +9,8 @@
 
 #include <ray.hpp>
 
+#include "render/measure/minus.hpp"
+#include "render/measure/spacing.hpp"
 #include "render/parameters.hpp"
 #include "render/pixel.hpp"
 
@@ -37,15 +39,22 @@ std::string explain_ray_command(const SceneWords& scene, const Ray<double>& ray)
 /// "glassbox render room --turn z:10 -o room.png", into the current folder; `extension` is ".png".
 std::string render_command(const SceneWords& scene, std::string_view extension);
 
+/// What a command line says of measurements after the scene.
+struct MeasureWords {
+    std::span<const std::string_view> what;
+    SetSpacing spacing = {};
+    const Minus* minus = nullptr;  ///< null: nothing is subtracted
+};
+
 /// "glassbox measure room --what depth,n.l -o room-depth-n.l.csv"
-std::string measure_command(const SceneWords& scene, std::span<const std::string_view> what,
-                            std::string_view extension);
+std::string measure_command(const SceneWords& scene, const MeasureWords& measured, std::string_view extension);
 
 /// "glassbox view room --turn z:10" and the options that follow.
 std::string view_command(const SceneWords& scene, std::string_view more);
 
 /// The name of a picture, or of measurements, of that scene: "room-depth.csv"; `ending` is ".csv".
+/// With `minus` they are differences.
 std::string usual_name(const std::filesystem::path& scene, std::span<const std::string_view> what,
-                       std::string_view ending);
+                       std::string_view ending, const Minus* minus = nullptr);
 
 }  // namespace glassbox

@@ -1,5 +1,6 @@
 #include "render/typed.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -154,6 +155,53 @@ const Measurement& measurement(std::string_view option, const std::string& typed
     std::vector<std::string_view> known;
     for (const Measurement& each : measurements()) known.push_back(each.name);
     throw wrong(option, fmt::format("'{}' is not known; {}", typed, suggestion(typed, known)));
+}
+
+namespace {
+
+/// The parameter that a setting, "scalar:certified", begins with; null where it begins with none.
+const Parameter* named_by(std::string_view setting) {
+    const std::size_t colon = setting.find(':');
+    if (colon == std::string_view::npos) return nullptr;
+    const auto found = std::ranges::find(parameters(), setting.substr(0, colon), &Parameter::name);
+    return found == parameters().end() ? nullptr : &*found;
+}
+
+/// Settings that stand between commas; what begins with no parameter belongs to the value before: "turn:z:10,y:5".
+std::vector<std::string> settings_in(std::string_view option, const std::string& typed) {
+    std::vector<std::string> settings;
+    for (const std::string& word : between_commas(typed)) {
+        if (named_by(word) || settings.empty()) settings.push_back(word);
+        else settings.back() += ',' + word;
+    }
+    if (named_by(settings.front())) return settings;
+    const std::string& first = settings.front();
+    const std::size_t colon = first.find(':');
+    if (colon == std::string::npos)
+        throw wrong(option,
+                    fmt::format("'{}' must be NAME:VALUE, an option and its value, such as scalar:certified", first));
+    const std::string name = first.substr(0, colon);
+    std::vector<std::string_view> known;
+    for (const Parameter& parameter : parameters()) known.push_back(parameter.name);
+    throw wrong(option, fmt::format("'{}' is no option; {}", name, suggestion(name, known)));
+}
+
+}  // namespace
+
+Minus minus(std::string_view option, const std::string& typed) {
+    Minus minus;
+    std::vector<const Parameter*> named;
+    for (const std::string& setting : settings_in(option, typed)) {
+        const Parameter& parameter = *named_by(setting);
+        if (std::ranges::count(named, &parameter) > 0)
+            throw wrong(option, fmt::format("'{}' is there twice; name it once", parameter.name));
+        named.push_back(&parameter);
+        minus.setup = with_typed(std::move(minus.setup), parameter, fmt::format("{} {}", option, parameter.name),
+                                 setting.substr(parameter.name.size() + 1));
+    }
+    for (const Parameter& parameter : parameters())
+        if (std::ranges::count(named, &parameter) > 0) minus.told.push_back(&parameter);
+    return minus;
 }
 
 std::vector<std::string> between_commas(const std::string& typed) {

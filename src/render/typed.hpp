@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/measure/measurements.hpp"
+#include "render/measure/minus.hpp"
 #include "render/parameters.hpp"
 #include "render/pixel.hpp"
 #include "scene/error.hpp"
@@ -59,6 +60,9 @@ Pixel pixel(std::string_view option, const std::string& typed, const Scene& scen
 
 /// The measurement of that name.
 const Measurement& measurement(std::string_view option, const std::string& typed);
+
+/// "scalar:certified,triangle:tolerance:10": other settings, each the name of an option and its value.
+Minus minus(std::string_view option, const std::string& typed);
 
 /// The words between commas, empty ones too.
 std::vector<std::string> between_commas(const std::string& typed);

@@ -140,8 +140,13 @@ std::vector<FailingOption> read_failing(const Section& failing) {
     const std::vector<std::string_view> options{"scalar", "triangle", "sphere", "turn", "accumulated"};
     failing.expect_keys(options);
     std::vector<FailingOption> read;
-    for (const std::string_view option : options)
-        if (const auto value = failing.find(option)) read.push_back({std::string(option), text(*value), place(*value)});
+    for (const std::string_view option : options) {
+        const auto value = failing.find(option);
+        if (!value) continue;
+        if (option == "accumulated" && !value->node->is_string())
+            throw error_at(place(*value), "accumulated must be \"on\" or \"off\", in quotes");
+        read.push_back({std::string(option), text(*value), place(*value)});
+    }
     return read;
 }
 

@@ -109,3 +109,38 @@ TEST_CASE("--scale: another spacing of the colours makes another picture; a wron
     CHECK(wrong.status == 2);
     CHECK(wrong.err.find("--scale: 'logarithmic' is not known; ") != std::string::npos);
 }
+
+TEST_CASE("--minus: the same by other settings is subtracted; what has no difference is refused") {
+    const Workplace folder;
+    // The paper's rule takes the four tangent rays for misses: one hit less, and no depth. By both the middle ray meets
+    // the ball 499 from its start.
+    CHECK(folder.measure("hits,depth", "m.csv", {"--sphere", "levental-2014", "--minus", "sphere:stable"}).err == "");
+    CHECK(content(folder / "m.csv") ==
+          "x,y,hits-minus-sphere:stable,depth-minus-sphere:stable\n"
+          "0,0,0,\n"
+          "1,0,-1,\n"
+          "2,0,0,\n"
+          "3,0,0,\n"
+          "0,1,-1,\n"
+          "1,1,0,0\n"
+          "2,1,-1,\n"
+          "3,1,0,\n"
+          "0,2,0,\n"
+          "1,2,-1,\n"
+          "2,2,0,\n"
+          "3,2,0,\n");
+    for (const char* name : {"m.png", "m.ppm", "m.exr"})
+        CHECK(folder.measure("depth,normal", name, {"--scalar", "float", "--minus", "scalar:exact"}).status == 0);
+    const auto refused = [&](const std::string& what, const Arguments& more, const std::string& words) {
+        const Ran ran = folder.measure(what, "none.csv", more);
+        CAPTURE(ran.err);
+        CHECK(ran.status == 2);
+        CHECK(ran.err.find(words) != std::string::npos);
+        CHECK_FALSE(std::filesystem::exists(folder / "none.csv"));
+    };
+    refused("depth,verdict", {"--minus", "scalar:exact"}, "--minus: verdict is told in words");
+    refused("depth", {"--minus", "exact"}, "--minus: 'exact' must be NAME:VALUE");
+    refused("depth", {"--minus", "scalar:exact", "--scale", "log"}, "--scale: a difference has both signs");
+    CHECK(folder.measure("depth", "m.csv", {"--minus", "scalar:certified"}).err ==
+          "glassbox measure: note: --minus changes nothing: every difference is 0\n");
+}

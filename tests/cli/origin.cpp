@@ -68,6 +68,11 @@ TEST_CASE("the command in a file makes the same bytes again, whatever was asked 
         }
     check_made_again(folder, {"measure", "s.toml", "--what", "verdict,depth", "--triangle", "tolerance:0.1"}, "m.png");
     check_made_again(folder, {"measure", "s.toml", "--what", "hits"}, "m.ppm");
+    check_made_again(folder, {"measure", "s.toml", "--what", "hits,depth", "--scale", "symlog"}, "m.png");
+    check_made_again(folder,
+                     {"measure", "s.toml", "--what", "hits,depth", "--sphere", "levental-2014", "--minus",
+                      "sphere:stable,turn:z:0.1,y:0.1", "--scale", "linear"},
+                     "m.png");
 }
 
 TEST_CASE("the bytes do not depend on the file's name, nor on the number of threads") {

@@ -167,3 +167,19 @@ TEST_CASE("a direction's components are red, green and blue") {
     CHECK(direction_color(1, -1, 0) == Rgb{255, 0, 128});  // 127.5 rounds up
     CHECK(direction_color(9, -9, 1) == Rgb{255, 0, 255});
 }
+
+TEST_CASE("differences: 0 alone is nearly white; the least of either sign is told from it and from the other sign") {
+    const ColorMap map = difference_colors();
+    constexpr double step = 1.0 / ColorMap::steps;
+    for (const Matrix* matrix : {static_cast<const Matrix*>(nullptr), &protanopia, &deuteranopia}) {
+        const auto at = [&](double position) {
+            const Rgb color = map(position);
+            return to_oklab(matrix ? seen_with(*matrix, color) : color);
+        };
+        CHECK(at(0.5).lightness > 0.94);
+        CHECK(difference(at(0.5), at(0.5 + step)) > 0.09);
+        CHECK(difference(at(0.5), at(0.5 - step)) > 0.09);
+        for (int i = 1; i <= 128; i += 8) CHECK(difference(at(0.5 - i * step), at(0.5 + i * step)) > 0.1);
+    }
+    for (const double end : {0.0, 1.0}) CHECK(map(end) == diverging_colors()(end));
+}

@@ -54,3 +54,25 @@ TEST_CASE("what stands beside a scale: what lies outside, what is infinite, what
                 "−∞ (computed as 0, or too large: nothing is known) 1", "∞ (exactly 0, and known to be) 2",
                 "no value 0"});
 }
+
+TEST_CASE("a difference tells how many are 0, positive and negative; 0 alone has the middle's colour") {
+    Measurement what{"depth-minus-scalar:exact", "|D|", "", Scale::difference, Source::hit, {}, {}, {}, {}};
+    what.infinity = what.minus_infinity = "one of the two is infinite";
+    what.spacing = Spacing::symlog;
+    CHECK(told(what, {0, 1e-9, -1e-12, 3, infinity, no_value, 0}) ==
+          Texts{"0: no difference 2", "positive 2", "negative 1", "∞ (one of the two is infinite) 1", "no value 1"});
+    CHECK(told(what, {0, 0}) == Texts{"0: no difference 2", "no value 0"});
+
+    const Channel channel{"value", 3, 1, {0, 1e-300, 100}};
+    const Summary summary = summarized(channel);
+    for (const Spacing spacing : {Spacing::linear, Spacing::symlog, Spacing::log, Spacing::percentile}) {
+        const Coloring coloring = coloring_of(what, summary, {}, spacing);
+        CHECK(coloring.low == -100);  // 0 is in the middle, as far as the values reach to either side
+        CHECK(coloring.high == 100);
+        CHECK(coloring.spacing == (spacing == Spacing::linear ? Spacing::linear : Spacing::symlog));
+        CHECK(coloring(0) == coloring.map(0.5));
+        CHECK(coloring(1e-300) == coloring.map(0.5 + 1.0 / 256));
+        CHECK(coloring(-1e-300) == coloring.map(0.5 - 1.0 / 256));
+        CHECK(coloring(100) == coloring.map(1));
+    }
+}

@@ -129,8 +129,22 @@ TEST_CASE("Unknown keys and sections, with the nearest known name") {
           "a.toml:2:1: error: unknown key 'ambient_colour' in [shading]; did you mean 'ambient_color'?");
     CHECK(complaint_about("[[triangle]]\nvertexes = 1\n") ==
           "a.toml:2:1: error: unknown key 'vertexes' in [[triangle]]; did you mean 'vertices'?");
+    CHECK(complaint_about("[failing]\nscaler = 'float'\n") ==
+          "a.toml:2:1: error: unknown key 'scaler' in [failing]; did you mean 'scalar'?");
+    CHECK(complaint_about("[failing]\nlight = '1,2,3'\n") ==
+          "a.toml:2:1: error: unknown key 'light' in [failing]; it must be one of 'scalar', 'triangle', 'sphere', "
+          "'turn', "
+          "'accumulated'");
     CHECK(complaint_about("[[mesh]]\nfiel = 1\n") ==
           "a.toml:2:1: error: unknown key 'fiel' in [[mesh]]; did you mean 'file'?");
+}
+
+TEST_CASE("What fails is told as an option's value is typed, in quotes") {
+    CHECK(about("[failing]", "scalar", "1") == "scalar must be a string, in quotes, not a number");
+    CHECK(about("[failing]", "triangle", "['tolerance', 10]") == "triangle must be a string, in quotes, not an array");
+    CHECK(about("[failing]", "turn", "10.5") == "turn must be a string, in quotes, not a number");
+    CHECK(about("[failing]", "accumulated", "true") == "accumulated must be \"on\" or \"off\", in quotes");
+    CHECK(complaint_about("failing = 'float'\n").starts_with("a.toml:1:11: error: failing "));
 }
 
 TEST_CASE("Of several unknown keys, the first in the file is told") {

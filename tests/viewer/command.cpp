@@ -8,7 +8,9 @@
 
 #include "cli/program.hpp"
 #include "explain/explain.hpp"
+#include "render/typed.hpp"
 #include "scene/scene_file.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/state/setup_changes.hpp"
 
 using namespace glassbox;
@@ -97,4 +99,39 @@ TEST_CASE("scalars and rules") {
     setup.options.triangle_rule = MoellerTrumbore{};
     setup.options.stage = 3;
     check_same(setup, {375, 379});
+}
+
+TEST_CASE("what is subtracted from the overlay comes with the commands; of words nothing is") {
+    ViewerState state = opened(paper);
+    state.overlay.measurement = "depth";
+    subtract(state.overlay, minus("", "triangle:tolerance:0.5,scalar:exact"));
+    CHECK(name_of(state.overlay) == "depth-minus-scalar:exact+triangle:tolerance:0.5");
+    CHECK(command_to_measure(state, ".png")
+              .ends_with(" --what depth --minus scalar:exact,triangle:tolerance:0.5 -o "
+                         "levental-2014-depth-minus-scalar-exact+triangle-tolerance-0.5.png"));
+    CHECK(command_to_view(state).ends_with(" --overlay depth --minus scalar:exact,triangle:tolerance:0.5"));
+
+    // A range and a brush were for other values.
+    state.overlay.range = {0, 1};
+    state.overlay.brush = Brush{name_of(state.overlay), 0, 1};
+    subtract(state.overlay, minus("", "scalar:float"));
+    CHECK_FALSE(state.overlay.range);
+    CHECK_FALSE(state.overlay.brush);
+
+    state.overlay.measurement = "verdict";
+    CHECK(name_of(state.overlay) == "verdict");
+    CHECK(why_not_subtracted(state.overlay).starts_with("verdict is told in words"));
+    CHECK(command_to_view(state).ends_with(" --overlay verdict"));
+    state.overlay.measurement = "normal";
+    CHECK(name_of(state.overlay) == "normal");
+    CHECK(why_not_subtracted(state.overlay).starts_with("normal has 3 components"));
+}
+
+TEST_CASE("nothing, each scalar, rule and engine can be subtracted") {
+    const std::vector<MinusChoice> all = minus_choices();
+    REQUIRE(all.size() == 1 + 5 + 3 + 3 + 3);
+    CHECK(all.front().name == "nothing");
+    CHECK_FALSE(all.front().value);
+    for (std::size_t i = 1; i < all.size(); ++i) CHECK(written(*all[i].value) == all[i].name);
+    CHECK(all[1].name == "scalar:certified");
 }

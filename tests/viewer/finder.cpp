@@ -70,6 +70,16 @@ TEST_CASE("of a discriminant those nearest to 0, of a depth the greatest") {
     CHECK(depth.alarming.count == 0);
 }
 
+TEST_CASE("of a difference those farthest from 0, of either sign; where nothing differs nothing is found") {
+    Measurement what = named("depth");
+    what.worst = Worst::farthest_from_0;
+    const FoundPixels found = find_pixels(what, three_wide({0, -3, 2, no_value, infinity, 0}));
+    CHECK(found.worst.pixels == Pixels{{1, 1}, {1, 0}, {2, 0}});
+    CHECK(found.worst.count == 3);
+    CHECK(found.least.pixels.front() == Pixel{1, 0});
+    CHECK(find_pixels(what, three_wide({0, 0, 0})).worst.pixels.empty());
+}
+
 TEST_CASE("of very many pixels the first are listed, and all are counted") {
     std::vector<double> values(3 * PixelList::most_listed, -1);
     values[7] = -5;

@@ -218,3 +218,18 @@ TEST_CASE("equal pictures do not differ") {
     CHECK(found.pixels == 0);
     CHECK(found.greatest == 0);
 }
+
+TEST_CASE("the bins of a difference: one of them lies about 0, and as many on either side") {
+    Measurement difference = diverging;
+    difference.scale = Scale::difference;
+    difference.spacing = Spacing::symlog;
+    const Distribution of = distribution(difference, {"value", 4, 1, {0, 0, -1.5, 1e-9}}, {});
+    REQUIRE(of.histogram.bins.size() == 63);
+    const Bin& middle = of.histogram.bins[31];
+    CHECK(middle.from < 0);
+    CHECK(middle.to > 0);
+    CHECK(middle.count == 3);  // 1e-9 is far below a bin's width: symlog is linear up to 1.5/10⁴
+    CHECK(of.histogram.bins.front().count == 1);
+    CHECK(of.words.front().text == "0: no difference");
+    CHECK(of.words.front().pixels == 2);
+}

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/program.hpp"
+#include "cli/tiny_scene.hpp"
 
 using namespace glassbox;
 
@@ -124,4 +125,39 @@ TEST_CASE("a script shows a scene fail, finds the worst pixel and brushes values
     says("brush 0 1\n", "a.script:1:1: error: brush: nothing is laid over; put 'overlay NAME' before");
     says("brush 2 1\n", "a.script:1:1: error: brush: LOW must not be above HIGH, and 2 is above 1");
     says("set scale lgo\n", "a.script:1:1: error: scale: 'lgo' is not known; did you mean 'log'?");
+}
+
+TEST_CASE("an overlay minus the same by other settings: what is saved is what measure --minus writes") {
+    const test::Folder folder;
+    test::write(folder / "s.toml", test::tiny_scene);
+    const auto run = [&](const std::string& text) {
+        test::write(folder / "a.script", text);
+        return test::run_glassbox({"view", "--script", "a.script"}, {.folder = folder.path});
+    };
+    const std::string begin = "open s.toml\nsize 700x600\nset sphere levental-2014\npage overlay\noverlay hits\n";
+    // The worst pixel is a tangent one, where the paper's rule has a hit less: the first in reading order is (1, 0).
+    const test::Ran ran =
+        run(begin +
+            "set overlay-minus sphere:stable\nkey .\nscreenshot a.png\nsave v.csv\nsave v.png overlay\n"
+            "overlay verdict\nscreenshot b.png\nset overlay-minus nothing\nscreenshot c.png\n");
+    CAPTURE(ran.err);
+    REQUIRE(ran.status == 0);
+    for (const char* name : {"m.csv", "m.png"})
+        test::run_glassbox({"measure", "s.toml", "--what", "hits", "--sphere", "levental-2014", "--minus",
+                            "sphere:stable", "-o", name},
+                           {.folder = folder.path});
+    CHECK(test::content(folder / "v.csv") == test::content(folder / "m.csv"));
+    CHECK(test::content(folder / "v.csv").starts_with("x,y,hits-minus-sphere:stable\n0,0,0\n1,0,-1\n"));
+    CHECK(test::content(folder / "v.png") == test::content(folder / "m.png"));
+    const test::Ran wrong = run("set overlay-minus exact\n");
+    CHECK(wrong.status == 1);
+    CHECK(wrong.err.find("overlay-minus: 'exact' must be NAME:VALUE") != std::string::npos);
+
+    const auto view = [&](test::Arguments more) {
+        more.insert(more.begin(), {"view", "s.toml", "--screenshot", "d.png"});
+        return test::run_glassbox(more, {.folder = folder.path});
+    };
+    CHECK(view({"--overlay", "depth", "--minus", "scalar:float"}).status == 0);
+    CHECK(view({"--overlay", "verdict", "--minus", "scalar:float"}).err.find("told in words") != std::string::npos);
+    CHECK(view({"--minus", "scalar:float"}).err.find("--minus: needs a measurement") != std::string::npos);
 }

@@ -130,6 +130,24 @@ TEST_CASE("a condition fails where its answer is not the true one") {
     CHECK(events[failed].failed);
 }
 
+// The same ray misses the sphere truly, so its test's answer fails, and that it is the nearest. 350 is truly met.
+TEST_CASE("a surface's answer fails where it is not the true one, and so does what is nearest") {
+    const auto answers = [](int column) {
+        std::vector<Event> found;
+        for (Event& event : timeline(story_of_far_sphere(column)))
+            if (event.what.starts_with("surface 0: ") || event.what.starts_with("nearest of "))
+                found.push_back(std::move(event));
+        return found;
+    };
+    const std::vector<Event> wrong = answers(410), right = answers(350);
+    REQUIRE(wrong.size() == 2);
+    REQUIRE(right.size() == 2);
+    CHECK(wrong[0].holds == true);
+    for (const Event& event : wrong) CHECK(event.failed);
+    CHECK(right[0].holds == true);
+    for (const Event& event : right) CHECK_FALSE(event.failed);
+}
+
 TEST_CASE("operands come before results, and of a line left ones before right ones") {
     Options by_textbook;
     by_textbook.sphere_rule = Textbook{};

@@ -19,18 +19,19 @@ struct Tolerance {
 
     template <class Real, class Probe>
     constexpr Crossing<Real> operator()(const Ray<Real>& ray, const Triangle<Real>& triangle, Probe& probe) const {
-        const auto is_inside = [this](const Sides<Real>& s, Probe& told_to) { return accepts(s, told_to); };
+        const auto is_inside = [this](const Sides<Real>& s, Probe& told_to) { return accepts(*this, s, told_to); };
         return by_sides(ray, triangle, is_inside, probe);
     }
-
-    template <class Real, class Probe>
-    constexpr Truth<Real> accepts(const Sides<Real>& s, Probe& probe) const {
-        using std::abs;
-        const Real sum = s.a + s.b + s.c;
-        const Real deficit = abs(abs(sum) - (abs(s.a) + abs(s.b) + abs(s.c)));
-        probe(told::Deficit{}, sum, deficit);
-        return sum != Real(0) && deficit < static_cast<Real>(tolerance);
-    }
 };
+
+/// Whether the rule takes a line with these side products for one that passes through the triangle.
+template <class Real, class Probe>
+constexpr Truth<Real> accepts(const Tolerance& rule, const Sides<Real>& s, Probe& probe) {
+    using std::abs;
+    const Real sum = s.a + s.b + s.c;
+    const Real deficit = abs(abs(sum) - (abs(s.a) + abs(s.b) + abs(s.c)));
+    probe(told::Deficit{}, sum, deficit);
+    return sum != Real(0) && deficit < static_cast<Real>(rule.tolerance);
+}
 
 }  // namespace glassbox

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "learn/build/compile_error.hpp"
@@ -40,7 +42,8 @@ void check(const std::error_code& failed, const fs::path& path) {
 std::string state_of_ours(const fs::path& root) {
     std::vector<std::string> states;
     std::error_code none;
-    for (const char* folder : {"src/core", "src/numerics", "src/scene", "src/render", "src/learn/picture"})
+    for (const char* folder :
+         {"src/core", "src/numerics", "src/scene", "src/render", "src/explain", "src/learn/picture"})
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder, none))
             if (entry.is_regular_file(none)) states.push_back(state_of(entry.path()));
     std::sort(states.begin(), states.end());
@@ -60,6 +63,11 @@ std::vector<fs::path> includes(const Workspace& workspace, const Lessons& lesson
     all.insert(all.end(), stages.begin(), stages.end());
     all.push_back(workspace.root / "src");
     return all;
+}
+
+/// A name that no other process or thread uses meanwhile.
+std::string unique(std::string_view begin) {
+    return fmt::format("{}-{}-{}", begin, ::getpid(), std::hash<std::thread::id>{}(std::this_thread::get_id()));
 }
 
 void remove_all_that_begin_with(std::string_view name, const fs::path& folder) {
@@ -91,7 +99,7 @@ Workshop workshop(const Workspace& workspace, const Compiler& compiler, const st
 
     // All or nothing: made under a temporary name first. Deletes what an older compiler or Glassbox has made.
     remove_all_that_begin_with("drawing-", workspace.hidden());
-    const fs::path making = workspace.hidden() / fmt::format("new-drawing-{}", ::getpid());
+    const fs::path making = workspace.hidden() / unique("new-drawing");
     make_folder(making);
     try {
         precompile(compiler, {prelude, making / shop.precompiled, {workspace.root / "src"}, flags, workspace.root},
@@ -102,7 +110,7 @@ Workshop workshop(const Workspace& workspace, const Compiler& compiler, const st
         throw;
     }
     fs::rename(making, shop.folder, failed);
-    if (failed) fs::remove_all(making, failed);  // another process was faster
+    if (failed) fs::remove_all(making, failed);  // another process or thread was faster
     return shop;
 }
 
@@ -181,27 +189,41 @@ OwnHeaders own_headers(const Workspace& workspace, const Lessons& lessons) {
     return all;
 }
 
-/// Where the renderer is that was compiled from all of this, if it was.
-fs::path renderer_of(const Workshop& shop, const Workspace& workspace, const Lessons& lessons,
+/// A program that is compiled with the learner's headers.
+struct Program {
+    const char* source;  ///< in src/learn/picture
+    const char* prefix;  ///< of its name
+};
+constexpr Program renderer_program{"renderer.cpp", ""}, stepper_program{"stepper.cpp", "steps-"};
+/// The renderer once more, to see whether it compiles: another thread may be making that itself.
+constexpr Program trial_program{"renderer.cpp", "trial-"};
+
+/// How the names of all programs begin that were compiled for these lessons.
+std::string beginning_of(const Program& program, const Lessons& lessons) {
+    return program.prefix + name_of(lessons) + "-";
+}
+
+/// Where the program is that was compiled from all of this, if it was.
+fs::path compiled_to(const Program& program, const Workshop& shop, const Workspace& workspace, const Lessons& lessons,
                      std::vector<std::string> headers, const std::vector<std::string>& rules) {
     headers.push_back(state_of_ours(workspace.root));
     headers.insert(headers.end(), rules.begin(), rules.end());
-    return shop.folder / (name_of(lessons) + "-" + fingerprint(headers));
+    return shop.folder / (beginning_of(program, lessons) + fingerprint(headers));
 }
 
-/// Compiles and links a renderer. Returns why it could not, if it could not.
-std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& shop, const Workspace& workspace,
-                                   const Lessons& lessons, const Compiler& compiler, std::vector<std::string> rules,
-                                   const std::stop_token& stop) {
+/// Compiles and links a program. Returns why it could not, if it could not.
+std::optional<PictureUpdate> build(const Program& which, const fs::path& to, const Workshop& shop,
+                                   const Workspace& workspace, const Lessons& lessons, const Compiler& compiler,
+                                   std::vector<std::string> rules, const std::stop_token& stop) {
     const auto unless_stopped = [&](Outcome outcome) {
         if (stop.stop_requested()) throw Cancelled{};
         return outcome;
     };
-    const fs::path object = shop.folder / fmt::format("new-{}.o", ::getpid());
-    const fs::path program = shop.folder / fmt::format("new-{}", ::getpid());
+    const fs::path program = shop.folder / unique("new");
+    const fs::path object = fs::path(program) += ".o";
     rules.insert(rules.begin(), flags.begin(), flags.end());
     for (const std::string& flag : beginning_with(compiler, shop.folder / shop.precompiled)) rules.push_back(flag);
-    const Compilation what{workspace.root / "src/learn/picture/renderer.cpp", object, includes(workspace, lessons),
+    const Compilation what{workspace.root / "src/learn/picture" / which.source, object, includes(workspace, lessons),
                            rules, workspace.root};
 
     const Outcome compiled = unless_stopped(compile(compiler, what, stop));
@@ -215,9 +237,9 @@ std::optional<PictureUpdate> build(const fs::path& renderer, const Workshop& sho
     std::error_code failed;
     fs::remove(object, failed);
     if (failure) return failure;
-    remove_all_that_begin_with(name_of(lessons) + "-", shop.folder);
-    fs::rename(program, renderer, failed);
-    check(failed, renderer);
+    remove_all_that_begin_with(beginning_of(which, lessons), shop.folder);
+    fs::rename(program, to, failed);
+    check(failed, to);
     return {};
 }
 
@@ -231,6 +253,21 @@ std::string hint(std::string_view words, const Lessons& lessons) {
     });
     return is_missing ? "; until it is, another rule can be chosen in the controls" : "";
 }
+
+/// Throws Error for a lesson whose functions compute no pixel in plain numbers.
+void check_can_be_recorded(const Lessons& lessons) {
+    for (const Exercise* const exercise : lessons)
+        if (exercise->own_picture == OwnPicture::by_bounds)
+            throw Error(
+                fmt::format("the steps of {} cannot be recorded: it computes bounds of numbers, and not the "
+                            "numbers of a pixel; the lessons before it can be stepped",
+                            exercise->name));
+}
+
+/// What is said after an error that is none without recording.
+constexpr const char* how_to_be_recorded =
+    "; it compiles in double, but steps are recorded in numbers of our own: write `Real` (or `auto`) where it says "
+    "`double`, and `using std::sqrt;` and then `sqrt(x)` instead of `std::sqrt(x)`";
 
 std::string count(std::int64_t pixels) { return pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", pixels); }
 
@@ -295,11 +332,12 @@ void Maker::make(const Workspace& workspace, const Lessons& lessons, const Scene
     };
     const std::vector<std::string> rules = rules_of(lessons, options);
     const Workshop shop = workshop(workspace, *compiler_, stop);
-    const fs::path renderer = renderer_of(shop, workspace, lessons, std::move(headers), rules);
+    const fs::path renderer = compiled_to(renderer_program, shop, workspace, lessons, std::move(headers), rules);
     std::error_code none;
     if (!fs::is_regular_file(renderer, none)) {
         tell(update(Stand::compiling, "compiling " + folders_of(workspace, lessons)));
-        std::optional<PictureUpdate> failure = build(renderer, shop, workspace, lessons, *compiler_, rules, stop);
+        std::optional<PictureUpdate> failure =
+            build(renderer_program, renderer, shop, workspace, lessons, *compiler_, rules, stop);
         compile_seconds = seconds_since(start);
         if (failure) return tell_timed(*std::move(failure));
     }
@@ -308,6 +346,68 @@ void Maker::make(const Workspace& workspace, const Lessons& lessons, const Scene
     const Drawn drawn = draw(renderer, scene, options, show, stop);
     if (stop.stop_requested()) throw Cancelled{};
     tell_timed(update_of(drawn, lessons));
+}
+
+void Maker::record(const Workspace& workspace, const Lessons& lessons, const ToRecord& what,
+                   const std::function<void(RecordingUpdate)>& tell, const std::stop_token& stop) {
+    const auto tell_words = [&](Stand stand, std::string words) {
+        RecordingUpdate update;
+        update.stand = stand;
+        update.words = std::move(words);
+        tell(std::move(update));
+    };
+    std::vector<std::string> texts;
+    std::vector<OwnHeader> headers;
+    try {
+        check_can_be_recorded(lessons);
+        texts = headers_to_draw_with(workspace, lessons);
+        for (const Exercise* const exercise : lessons)
+            for (const std::string& header : exercise->headers)
+                headers.push_back({workspace.header(*exercise, header), read_header(workspace, *exercise, header)});
+    } catch (const Error& error) {
+        return tell_words(Stand::not_there, error.what());
+    }
+    if (!compiler_) compiler_ = find_compiler();
+
+    const auto start = Clock::now();
+    double compile_seconds = 0;
+    const std::vector<std::string> rules = rules_of(lessons, what.options);
+    const Workshop shop = workshop(workspace, *compiler_, stop);
+    const fs::path stepper = compiled_to(stepper_program, shop, workspace, lessons, texts, rules);
+    std::error_code none;
+    if (!fs::is_regular_file(stepper, none)) {
+        tell_words(Stand::compiling, "compiling " + folders_of(workspace, lessons) + ", to record its steps");
+        const std::optional<PictureUpdate> failure =
+            build(stepper_program, stepper, shop, workspace, lessons, *compiler_, rules, stop);
+        if (failure) {
+            RecordingUpdate update;
+            update.stand = failure->stand;
+            update.words = failure->words;
+            update.error = failure->error;
+            const fs::path renderer = compiled_to(renderer_program, shop, workspace, lessons, texts, rules);
+            const fs::path tried = compiled_to(trial_program, shop, workspace, lessons, texts, rules);
+            if (fs::is_regular_file(renderer, none) || fs::is_regular_file(tried, none) ||
+                !build(trial_program, tried, shop, workspace, lessons, *compiler_, rules, stop))
+                update.words += how_to_be_recorded;
+            return tell(std::move(update));
+        }
+        compile_seconds = seconds_since(start);
+    }
+    RecordingUpdate update = mine::record(stepper, what, workspace.root, headers, stop);
+    if (stop.stop_requested()) throw Cancelled{};
+    if (update.stand == Stand::not_written) update.words += hint(update.words, lessons);
+    update.compile_seconds = compile_seconds;
+    tell(std::move(update));
+}
+
+void Maker::record_with_all(const Workspace& workspace, const ToRecord& what,
+                            const std::function<void(RecordingUpdate)>& tell, const std::stop_token& stop) {
+    const Written written = written_in(workspace);
+    if (!written.finished.empty()) return record(workspace, written.finished, what, tell, stop);
+    RecordingUpdate update;
+    update.stand = Stand::not_there;
+    update.words = in_words(written, workspace);
+    tell(std::move(update));
 }
 
 void Maker::make_with_all(const Workspace& workspace, const Scene& scene, const Options& options,

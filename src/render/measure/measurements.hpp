@@ -15,6 +15,7 @@ struct PixelNumbers;
 enum class Scale {
     sequential,  ///< from its least to its greatest value
     diverging,   ///< the same on both sides of 0
+    difference,  ///< the same, and whatever is not 0 is told from 0 at sight
     direction,   ///< three components from -1 to 1, shown as red, green, blue
     danger,      ///< safe values are dark, the worst are bright
     alarm,       ///< 0 is dark, all above it bright
@@ -22,7 +23,7 @@ enum class Scale {
 };
 
 /// Which of its values are the worst.
-enum class Worst { greatest, least, nearest_0 };
+enum class Worst { greatest, least, nearest_0, farthest_from_0 };
 
 /// Which of its values raise an alarm: something is wrong there, or not decided.
 enum class Alarm { none, above_0, below_0 };

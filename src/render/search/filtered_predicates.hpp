@@ -111,6 +111,15 @@ public:
         return met(ray, surface, silent)->told_t;
     }
 
+    /// The same hit, its t with a bound.
+    ProvenHit with_bound(const Ray<double>& ray, const ProvenHit& hit) const {
+        if (hit.t.error != not_bounded) return hit;
+        const Silent silent;
+        ProvenHit bounded = hit;
+        bounded.t = bounded_or_exact(ray, hit.surface, silent)->t;
+        return bounded;
+    }
+
     /// t of a surface that the ray meets, nearly as well as a double can say it.
     Bounded sharpened(const Ray<double>& ray, const ProvenHit& hit) const {
         constexpr double good_enough = 0x1p-49;
@@ -321,15 +330,6 @@ private:
                            0x1p-45 * std::max(std::abs(nearest), std::abs(farthest));
         const double least = (middle - off) / D2, most = (middle + off) / D2;
         return Range{least - 0x1p-45 * std::abs(least), most + 0x1p-45 * std::abs(most)};
-    }
-
-    /// The same hit, its t with a bound.
-    ProvenHit with_bound(const Ray<double>& ray, const ProvenHit& hit) const {
-        if (hit.t.error != not_bounded) return hit;
-        const Silent silent;
-        ProvenHit bounded = hit;
-        bounded.t = bounded_or_exact(ray, hit.surface, silent)->t;
-        return bounded;
     }
 
     /// At the same t the surface that is listed last is taken for the nearer.

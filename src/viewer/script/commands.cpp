@@ -15,10 +15,12 @@
 #include "scene/named.hpp"
 #include "scene/scene_path.hpp"
 #include "scene/suggestion.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox::script {
@@ -105,7 +107,7 @@ Command brush(const Words& words) {
     if (!(low <= high)) throw wrong("brush", fmt::format("LOW must not be above HIGH, and {} is above {}", low, high));
     return change([low, high](ViewerState& state) {
         if (state.overlay.measurement.empty()) throw Error("brush: nothing is laid over; put 'overlay NAME' before");
-        state.overlay.brush = Brush{state.overlay.measurement, low, high};
+        state.overlay.brush = Brush{name_of(state.overlay), low, high};
     });
 }
 
@@ -160,12 +162,19 @@ Command boxes(const Words& words) {
     });
 }
 
+void check_steps(std::string_view command, const ViewerState& state, const Results& results) {
+    if (steps_now(state, results).story) return;
+    const std::string& words = state.mine.problem.empty() ? results.mine_steps.update.words : state.mine.problem;
+    if (state.pinned && state.mine.is_stepped) throw wrong(command, fmt::format("there are no steps: {}", words));
+    throw Error(fmt::format("{}: no pixel is pinned; put 'pin X,Y' before", command));
+}
+
 Command step(const Words& words) {
     for (const StepAction& action : step_actions)
         if (words[1] == action.name)
             return change([act = action.act](ViewerState& state, const Results& results) {
                 state.page = Page::steps;
-                if (!results.story) throw Error("step: no pixel is pinned; put 'pin X,Y' before");
+                check_steps("step", state, results);
                 act(state, results);
             });
     const auto to = find_named(step_targets, words[1]);
@@ -174,7 +183,7 @@ Command step(const Words& words) {
     const int by = to ? 0 : whole_number("step", forward ? words[1].substr(1) : words[1], relative ? -most : 0, most);
     return change([to, by, relative](ViewerState& state, const Results& results) {
         state.page = Page::steps;
-        if (!results.story) throw Error("step: no pixel is pinned; put 'pin X,Y' before");
+        check_steps("step", state, results);
         const std::span<const Event> events = steps_shown(state, results);
         const auto last = std::max<std::int64_t>(static_cast<std::int64_t>(events.size()) - 1, 0);
         const std::int64_t at = by + (relative ? static_cast<std::int64_t>(state.step) : 0);
@@ -186,7 +195,7 @@ Command step(const Words& words) {
 Command feeding_only(const Words& words) {
     return change([on = chosen("feeding", words[1], switches)](ViewerState& state, const Results& results) {
         state.page = Page::steps;
-        if (!results.story) throw Error("feeding: no pixel is pinned; put 'pin X,Y' before");
+        check_steps("feeding", state, results);
         show_only_feeding(state, results, on);
         if (on && !state.stepping.fed)
             throw Error("feeding: this event is no operation; put 'step …' before, to one that is");

@@ -9,6 +9,7 @@
 #include "render/parameters.hpp"
 #include "render/typed.hpp"
 #include "scene/suggestion.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/script/commands.hpp"
 
@@ -30,6 +31,8 @@ constexpr NameTable<NumberForm, 3> number_forms{{
     {"full", NumberForm::full, ""},
     {"hex", NumberForm::hex, ""},
 }};
+
+constexpr NameTable<bool, 2> whose_steps{{{"ours", false, ""}, {"mine", true, ""}}};
 
 using Word = const std::string&;
 
@@ -88,6 +91,10 @@ const Settable settables[] = {
          if (!lessons) throw wrong(name, fmt::format("'{}' must be the number of a lesson, or all", typed));
          return change([lessons](ViewerState& s) { show_mine(s, lessons); });
      }},
+    {"steps-of",
+     [](Word name, Word typed) {
+         return change([mine = chosen(name, typed, whose_steps)](ViewerState& s) { step_mine(s, mine); });
+     }},
     {"predict",
      [](Word name, Word typed) {
          return change([on = chosen(name, typed, switches)](ViewerState& s, const Results& results) {
@@ -98,6 +105,11 @@ const Settable settables[] = {
         "opacity", from_to(0, 1), [](ViewerState& s) -> auto& { return s.overlay.opacity; }),
     settable(
         "legend", one_of(switches), [](ViewerState& s) -> auto& { return s.overlay.legend_shown; }),
+    {"overlay-minus",
+     [](Word name, Word typed) {
+         const std::optional<Minus> other = typed == "nothing" ? std::nullopt : std::optional(minus(name, typed));
+         return change([other](ViewerState& s) { subtract(s.overlay, other); });
+     }},
     {"scale",
      [](Word name, Word typed) {
          const SetSpacing spacing = typed == "auto" ? SetSpacing{} : chosen(name, typed, spacings);

@@ -134,7 +134,7 @@ void Interface::watch_files() {
     if (mesh_files_.empty()) mesh_watch_.reset();
     const bool mesh_changed = !mesh_files_.empty() && changed(mesh_watch_, mesh_files_, FileWatch::Gone::is_a_change);
     if (scene_changed || mesh_changed) reload(state_);
-    if (!shows_mine(state_)) mine_watch_.reset();
+    if (!shows_mine(state_) && !state_.mine.is_stepped) mine_watch_.reset();
     else if (changed(mine_watch_, files_of(state_.mine), FileWatch::Gone::is_a_change)) ++state_.mine.saved;
 }
 

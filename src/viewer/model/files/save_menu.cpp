@@ -9,9 +9,11 @@
 #include "output/output_file.hpp"
 #include "render/command.hpp"
 #include "render/job.hpp"
+#include "render/measure/measure_difference.hpp"
 #include "render/render.hpp"
 #include "scene/error.hpp"
 #include "viewer/model/overlay/difference.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/state/command.hpp"
 #include "viewer/model/state/state.hpp"
 #include "viewer/model/work/results.hpp"
@@ -26,7 +28,10 @@ bool is_measured(SaveWhat what) { return what == SaveWhat::overlay || what == Sa
 
 /// "room-depth.png", or with a number where that is taken.
 std::string free_name(const ViewerState& state, SaveWhat what) {
-    const std::string_view measured = state.overlay.measurement, beside = "beside";
+    const Minus* const minus = subtracted(state.overlay);
+    const std::string& name_of_what = state.overlay.measurement;
+    const std::string measured = minus ? difference_file_name(name_of_what, *minus) : name_of_what;
+    constexpr std::string_view beside = "beside";
     std::vector<std::string_view> parts;
     if (is_measured(what)) parts.push_back(measured);
     if (what == SaveWhat::beside) parts.push_back(beside);
@@ -77,9 +82,10 @@ Saving of_beside(Saving saving, const ViewerState& state, const Results& results
 
 std::vector<SaveChoice> save_choices(const ViewerState& state) {
     std::vector<SaveChoice> all{{SaveWhat::picture, "the picture (.png, .ppm)"}};
-    if (const Measurement* const what = find_measurement(state.overlay.measurement)) {
-        all.push_back({SaveWhat::overlay, fmt::format("{}, coloured, with its legend (.png, .ppm)", what->name)});
-        all.push_back({SaveWhat::numbers, fmt::format("{}, in numbers (.csv, .exr)", what->name)});
+    if (find_measurement(state.overlay.measurement)) {
+        const std::string what = name_of(state.overlay);
+        all.push_back({SaveWhat::overlay, fmt::format("{}, coloured, with its legend (.png, .ppm)", what)});
+        all.push_back({SaveWhat::numbers, fmt::format("{}, in numbers (.csv, .exr)", what)});
     }
     constexpr const char* besides[] = {"",
                                        "",
@@ -123,6 +129,7 @@ Saving saving(const ViewerState& state, const Results& results, SaveWhat what, c
         check_measurements_file(file);
         saving.measured = find_measurement(state.overlay.measurement);
         if (!saving.measured) throw Error("error: no overlay is laid over the picture; choose one on the page Overlay");
+        if (const Minus* const minus = subtracted(state.overlay)) saving.minus = *minus;
         saving.command = command_to_measure(state, measurements_extension(file));
         return saving;
     }
@@ -154,11 +161,23 @@ void save(ViewerState& state, const Results& results) {
     }
 }
 
+namespace {
+
+void write_difference(const Saving& saving, const Job& job) {
+    const std::vector<MeasuredDifference> differences =
+        measure_difference(*saving.scene, saving.setup, *saving.minus, std::span(&saving.measured, 1), job);
+    const Measured measured{differences.front().what.get(), {&differences.front().channel, 1}};
+    write_measurements(saving.file, {&measured, 1}, {saving.command}, job.stop);
+}
+
+}  // namespace
+
 void write(const Saving& saving, const Job& job) {
     if (saving.drawn) return write_picture(saving.file, *saving.drawn, {saving.command}, job.stop);
     const Scene scene = applied(*saving.scene, saving.setup);
     const Options& options = saving.setup.options;
     if (!saving.measured) return write_picture(saving.file, render(scene, options, job), {saving.command}, job.stop);
+    if (saving.minus) return write_difference(saving, job);
     const std::vector<Channel> channels = measure(scene, options, std::span(&saving.measured, 1), job).front();
     const Measured measured{saving.measured, channels};
     write_measurements(saving.file, {&measured, 1}, {saving.command}, job.stop);

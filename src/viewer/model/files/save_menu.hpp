@@ -2,11 +2,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/image.hpp"
 #include "render/measure/measurements.hpp"
+#include "render/measure/minus.hpp"
 #include "render/setup.hpp"
 #include "viewer/platform/input.hpp"
 
@@ -32,6 +34,7 @@ struct Saving {
     std::shared_ptr<const Scene> scene{};
     Setup setup{};
     const Measurement* measured = nullptr;  ///< null: the picture is meant
+    std::optional<Minus> minus{};           ///< is subtracted from what is measured
     std::shared_ptr<const Image> drawn{};   ///< what no command draws: a learner's picture, a difference
     int number = 0;                         ///< counts the files of this session
 

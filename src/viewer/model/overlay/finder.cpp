@@ -38,7 +38,17 @@ FoundPixels find_pixels(const Measurement& what, const Channel& channel) {
     // No order among words: reading order then.
     const auto badness = [&](double value) {
         if (!what.words.empty()) return 0.0;
-        return what.worst == Worst::least ? value : what.worst == Worst::greatest ? -value : std::abs(value);
+        switch (what.worst) {
+            case Worst::greatest:
+                return -value;
+            case Worst::least:
+                return value;
+            case Worst::nearest_0:
+                return std::abs(value);
+            case Worst::farthest_from_0:
+                return value == 0 ? INFINITY : -std::abs(value);  // where nothing differs, nothing is bad
+        }
+        return value;
     };
     FoundPixels found;
     found.least = first_of(channel, is_finite_value, [](double value) { return value; });

@@ -55,10 +55,10 @@ Histogram histogram(const Channel& channel, const Summary& summary, const Colori
 
 Distribution distribution(const Measurement& what, const Channel& channel, const SetRange& set,
                           const SetSpacing& spacing) {
-    constexpr int most_bins = 64;
     const Summary summary = summarized(channel, spacing_of(what, spacing));
     Coloring coloring = coloring_of(what, summary, what.scale == Scale::direction ? SetRange{} : set, spacing);
     if (what.scale == Scale::direction) coloring.blocks = false;  // its colours blend into each other
+    const int most_bins = coloring.marks_0 ? 63 : 64;             // an odd number has a bin about 0
     Histogram bins = histogram(channel, summary, coloring, most_bins);
     std::vector<ColorWord> words = color_words(what, channel, summary, coloring);
     const Outside beyond = outside(channel, coloring);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/model/overlay/subtracted.hpp"
+
 namespace glassbox {
 
 const MeasuredChannels* last_laid_over(const ViewerState& state, const Results& results) {
     const MeasuredChannels* const overlay = results.overlay.get();
-    const bool same = overlay && overlay->what->name == state.overlay.measurement && overlay->scene == state.scene;
+    const bool same = overlay && overlay->what->name == name_of(state.overlay) && overlay->scene == state.scene;
     return same ? overlay : nullptr;
 }
 
@@ -35,7 +37,7 @@ void pin_next_worst(ViewerState& state, const Results& results, bool forward) {
 }
 
 const Brush* brush_of(const Overlay& overlay) {
-    return overlay.brush && overlay.brush->measurement == overlay.measurement ? &*overlay.brush : nullptr;
+    return overlay.brush && overlay.brush->measurement == name_of(overlay) ? &*overlay.brush : nullptr;
 }
 
 bool is_brushed(const Brush& brush, double value) { return value >= brush.from && value <= brush.to; }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "scene/shell_word.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 
 namespace glassbox {
 
@@ -32,6 +33,7 @@ std::string command_to_view(const ViewerState& state) {
     std::string more;
     if (state.pinned) more += fmt::format(" --pixel {},{}", state.pinned->x, state.pinned->y);
     if (!state.overlay.measurement.empty()) more += " --overlay " + state.overlay.measurement;
+    if (const Minus* const minus = subtracted(state.overlay)) more += " --minus " + shell_word(written(*minus));
     return view_command(words_of(state), more + options_of_mine(state));
 }
 
@@ -45,7 +47,7 @@ std::string command_to_render(const ViewerState& state, const Setup& setup, std:
 
 std::string command_to_measure(const ViewerState& state, std::string_view extension) {
     const std::string_view what = state.overlay.measurement;
-    return measure_command(words_of(state), {&what, 1}, extension);
+    return measure_command(words_of(state), {{&what, 1}, {}, subtracted(state.overlay)}, extension);
 }
 
 std::string command_to_explain(const ViewerState& state, Pixel pixel) {

@@ -12,6 +12,7 @@
 #include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/model/story/truth.hpp"
 
 namespace glassbox {
@@ -82,7 +83,7 @@ void zoom(State& state, double to) {
 
 template <StepTo to>
 void step(State& state, const Results& results, const KeyPress&) {
-    if (!results.story) return;
+    if (!steps_now(state, results).story) return;
     state.page = Page::steps;
     go(state, results, to);
 }
@@ -90,19 +91,19 @@ void step(State& state, const Results& results, const KeyPress&) {
 /// Does something on the page of steps.
 template <void (*act)(State&, const Results&)>
 void on_steps(State& state, const Results& results, const KeyPress&) {
-    if (!results.story) return;
+    if (!steps_now(state, results).story) return;
     state.page = Page::steps;
     act(state, results);
 }
 
 void to_operand(State& state, const Results& results, const KeyPress& press) {
-    if (!results.story) return;
+    if (!steps_now(state, results).story) return;
     state.page = Page::steps;
     jump_to_operand(state, results, press.shift);
 }
 
 void jump_again(State& state, const Results& results, const KeyPress& press) {
-    if (!results.story) return;
+    if (!steps_now(state, results).story) return;
     state.page = Page::steps;
     if (press.shift) jump_forth(state, results);
     else jump_back(state, results);
@@ -111,7 +112,7 @@ void jump_again(State& state, const Results& results, const KeyPress& press) {
 void only_feeding(State& state, const Results& results) { show_only_feeding(state, results, !state.stepping.fed); }
 
 void play(State& state, const Results& results, const KeyPress&) {
-    if (!results.story) return;
+    if (!steps_now(state, results).story) return;
     state.page = Page::steps;
     play_or_pause(state, results);
 }
@@ -247,6 +248,11 @@ constexpr KeyBinding bindings[] = {
     {character('e'), "e", "to the step that made the first operand (with Shift: the second)", "Steps", to_operand},
     {character('j'), "j", "back to where you jumped from (with Shift: forth again)", "Steps", jump_again},
     {character('v'), "v", "only the steps that feed this number, or all", "Steps", on_steps<only_feeding>},
+    {character('/'), "/", "go through the steps of your own code, or of ours", "Steps",
+     [](State& s, const Results&, const KeyPress&) {
+         s.page = Page::steps;
+         step_mine(s, !s.mine.is_stepped);
+     }},
     {character('n'), "n", "to the next no: a condition that does not hold, a miss", "Steps", step<StepTo::next_no>},
     {character('x'), "x", "to what failed next: a wrong answer, a number too large", "Steps",
      step<StepTo::next_failed>},

@@ -4,11 +4,12 @@
 
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 
 namespace glassbox {
 
 void play_or_pause(ViewerState& state, const Results& results) {
-    if (results.timeline.empty()) return;
+    if (steps_now(state, results).timeline.empty()) return;
     state.playing = !state.playing;
     state.since_step = 0;
     const auto at = [&](StepTo to) {

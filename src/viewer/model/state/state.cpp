@@ -86,6 +86,7 @@ void open(ViewerState& state, const std::filesystem::path& file) {
         fresh.space_shown = state.space_shown;
         fresh.box_level = state.box_level;
         fresh.overlay.measurement = state.overlay.measurement;
+        fresh.overlay.minus = state.overlay.minus;
         fresh.overlay.opacity = state.overlay.opacity;
         fresh.overlay.legend_shown = state.overlay.legend_shown;
         fresh.beside = state.beside;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "explain/questions.hpp"
+#include "render/measure/minus.hpp"
 #include "render/measure/spacing.hpp"
 #include "scene/scene.hpp"
 #include "viewer/model/files/copy_menu.hpp"
@@ -32,7 +33,8 @@ struct Brush {
 
 /// What is laid over the picture, or shown beside it.
 struct Overlay {
-    std::string measurement;  ///< its name; empty: none
+    std::string measurement;     ///< its name; empty: none
+    std::optional<Minus> minus;  ///< the same by other settings, which is subtracted where that has a meaning
     double opacity = 1;
     std::optional<std::pair<double, double>> range;  ///< of its colours; otherwise the measurement's own
     SetSpacing spacing;                              ///< of its colours; otherwise the measurement's own

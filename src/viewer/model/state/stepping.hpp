@@ -20,7 +20,8 @@ struct Stepping {
     std::vector<std::size_t> back,
         forth;                            ///< where the reader has jumped from, and returned from; the last one is next
     std::size_t level = 0;                ///< the line of the call stack that is looked at, from the outermost
-    std::optional<std::size_t> level_at;  ///< for which event that was chosen; of others it is the innermost
+    std::optional<std::size_t> level_at;  ///< for which event that was chosen; of others it is the innermost, or where
+                                          ///< a program ended early its own
     std::vector<Nudge> nudges;            ///< in the order in which they were made
     int nudge_by = 1;                     ///< how far the next one goes
     std::size_t nudged_row = 0;           ///< in Story::surfaces: whose test is nudged

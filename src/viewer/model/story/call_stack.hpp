@@ -17,10 +17,10 @@ struct StackLine {
     bool operator==(const StackLine&) const = default;
 };
 
-/// Returns the lines of the core on which a step is done, the outermost first, the innermost, which has the operation,
-/// last. Each line but the last calls what the next one is in. Missing between them are a function that calls a lambda
-/// which it was given, and what a rule calls of its own, such as `Tolerance::accepts`. Empty for what is no step, or is
-/// done by no line.
+/// Returns the lines, of the core or the learner's, on which a step is done, the outermost first, the innermost, which
+/// has the operation, last. Each line but the last calls what the next one is in. Missing between them are a function
+/// that calls a lambda which it was given, and what a rule calls of its own, such as `Tolerance::accepts`. Empty for
+/// what is no step, or is done by no line. Of a program's early end: those of the step that it did last.
 ///
 /// Calls of functions note their line when the tape is recorded. Operators of vectors cannot: their line is read from
 /// the text, where the calling function has that operator on one line only.

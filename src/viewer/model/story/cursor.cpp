@@ -3,17 +3,19 @@
 #include <utility>
 
 #include "viewer/model/story/predicting.hpp"
+#include "viewer/model/story/steps_now.hpp"
 
 namespace glassbox {
 
 namespace {
 
 std::optional<std::size_t> surface_of_step(const ViewerState& state, const Results& results) {
-    if (!results.story) return {};
+    const Steps& steps = steps_now(state, results);
+    if (!steps.story) return {};
     const auto events = steps_shown(state, results);
     if (state.step >= events.size()) return {};
     const Event& event = events[state.step];
-    const Story& story = *results.story;
+    const Story& story = *steps.story;
     const std::optional<std::size_t> listed = event.surface ? event.surface
                                               : event.place ? event.place->row
                                                             : std::nullopt;

@@ -2,8 +2,6 @@
 
 #include <string_view>
 
-#include "explain/words.hpp"
-
 namespace glassbox {
 
 namespace {
@@ -49,22 +47,23 @@ Described described_by_name(const Story& story, std::string_view name) {
                 if (story.hit && surface.number == story.hit->surface) return surface.kind == story::Kind::sphere;
             return false;
         }();
-        return described_function(sphere ? "/sphere.hpp" : "/triangle.hpp", "normal");
+        return described_function(story, sphere ? "/sphere.hpp" : "/triangle.hpp", "normal");
     }
     for (const Formula& formula : formulas)
-        if (formula.name == name) return described_function(formula.file, formula.function);
+        if (formula.name == name) return described_function(story, formula.file, formula.function);
     return {};
 }
 
 }  // namespace
 
 Described lesson_of(const Story& story, const Event& event) {
-    if (!event.place) return event.function.empty() ? Described{} : described_function(event.file, event.function);
+    if (!event.place)
+        return event.function.empty() ? Described{} : described_function(story, event.file, event.function);
     const StepPlace& place = event.serves ? *event.serves : *event.place;
     const story::StoryStep& told = tape_of(story, place)[place.step];
     const Described by_name = described_by_name(story, without_axis(told.name));
     if (!by_name.text.empty()) return by_name;
-    const SourceFile* const file = find_source(source(told.step.file));
+    const SourceFile* const file = find_source(story, told.step.file);
     return file ? described_at(*file, static_cast<std::size_t>(told.step.line)) : Described{};
 }
 
@@ -74,7 +73,7 @@ SourceLine source_of(const Story& story, const Event& event) {
         return {described.file, 0};
     }
     const Step& step = tape_of(story, *event.place)[event.place->step].step;
-    return {find_source(source(step.file)), static_cast<std::size_t>(step.line)};
+    return {find_source(story, step.file), static_cast<std::size_t>(step.line)};
 }
 
 }  // namespace glassbox

@@ -1,5 +1,7 @@
 #include "viewer/model/story/predicting.hpp"
 
+#include "viewer/model/story/steps_now.hpp"
+
 namespace glassbox {
 
 namespace {
@@ -19,14 +21,15 @@ Score sum(const Score& a, const Score& b) { return {a.right + b.right, a.of + b.
 }  // namespace
 
 std::span<const Event> steps_shown(const ViewerState& state, const Results& results) {
-    const std::span<const Event> all = results.timeline;
-    if (!state.predicting.on) return all;
+    const std::span<const Event> all = steps_now(state, results).timeline;
+    if (!state.predicting.on || state.mine.is_stepped) return all;
     return all.first(events_seen(all, results.questions, state.predicting.answers.size()));
 }
 
 const Question* next_question(const ViewerState& state, const Results& results) {
     const std::size_t next = state.predicting.answers.size();
-    return state.predicting.on && next < results.questions.size() ? &results.questions[next] : nullptr;
+    return state.predicting.on && !state.mine.is_stepped && next < results.questions.size() ? &results.questions[next]
+                                                                                            : nullptr;
 }
 
 const Question* open_question(const ViewerState& state, const Results& results) {
@@ -43,7 +46,9 @@ void set_predicting(ViewerState& state, const Results& results, bool on) {
     if (state.predicting.on == on) return;
     state.predicting.on = on;
     state.predicting.before = {};
-    if (on) begin_story(state, results);
+    if (!on) return;
+    state.mine.is_stepped = false;  // nothing is asked of the learner's steps
+    begin_story(state, results);
 }
 
 void answer(ViewerState& state, const Results& results, std::optional<double> said) {

@@ -6,7 +6,8 @@
 
 namespace glassbox {
 
-/// Returns the steps of the pinned pixel that may be seen: all, or those up to the next question.
+/// Returns the steps of the pinned pixel that may be seen: all, or those up to the next question. The learner's own are
+/// all seen.
 std::span<const Event> steps_shown(const ViewerState& state, const Results& results);
 
 /// Returns the next question; null if nothing is asked any more, or the reader does not want to be asked.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "explain/words.hpp"
 #include "output/embed.hpp"
 #include "scene/text_file.hpp"
 
@@ -34,6 +35,10 @@ std::string declared_name(std::string_view line) {
     return std::string(line.substr(begin, end - begin));
 }
 
+std::span<const SourceFile> own_sources(const Story& story) {
+    return story.own ? story.own->files() : std::span<const SourceFile>();
+}
+
 }  // namespace
 
 std::span<const SourceFile> core_sources() { return embedded_core_sources; }
@@ -42,6 +47,24 @@ const SourceFile* find_source(std::string_view path) {
     const auto found = std::find_if(std::begin(embedded_core_sources), std::end(embedded_core_sources),
                                     [&](const SourceFile& file) { return file.path == path; });
     return found == std::end(embedded_core_sources) ? nullptr : &*found;
+}
+
+const SourceFile* find_source(const Story& story, std::string_view file) {
+    for (const SourceFile& own : own_sources(story))
+        if (own.path == file) return &own;
+    return find_source(source(file));
+}
+
+bool is_own(const Story& story, const SourceFile& file) {
+    return std::ranges::any_of(own_sources(story), [&](const SourceFile& own) { return &own == &file; });
+}
+
+const SourceFile* find_header(const Story& story, std::string_view name) {
+    for (const std::span<const SourceFile> files : {own_sources(story), core_sources()})
+        for (const SourceFile& file : files)
+            if (file.path.ends_with(name) && file.path.substr(0, file.path.size() - name.size()).ends_with('/'))
+                return &file;
+    return nullptr;
 }
 
 std::vector<std::string_view> lines(const SourceFile& file) { return lines_of(file.text); }
@@ -70,14 +93,15 @@ Described described_at(const SourceFile& file, std::size_t line) {
     return found;
 }
 
-Described described_function(std::string_view file_name, std::string_view function) {
-    for (const SourceFile& file : core_sources()) {
-        if (!file.path.ends_with(file_name)) continue;
-        const std::vector<std::string_view> all = lines(file);
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (declared_name(all[i]) == function && !trimmed(all[i]).starts_with("return"))
-                return described_at(file, i + 1);
-    }
+Described described_function(const Story& story, std::string_view file_name, std::string_view function) {
+    for (const std::span<const SourceFile> files : {own_sources(story), core_sources()})
+        for (const SourceFile& file : files) {
+            if (!file.path.ends_with(file_name)) continue;
+            const std::vector<std::string_view> all = lines(file);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (declared_name(all[i]) == function && !trimmed(all[i]).starts_with("return"))
+                    return described_at(file, i + 1);
+        }
     return {};
 }
 

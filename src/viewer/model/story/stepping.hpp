@@ -58,7 +58,8 @@ struct RankedLoss {
 std::vector<RankedLoss> ranked_losses(const ViewerState& state, const Results& results, std::size_t most);
 
 /// Returns the surface whose inputs can be nudged: the one of the nudges that there are, else of the present step, else
-/// the one that is hit. None where there is none, or its verdict is to be guessed.
+/// the one that is hit. None where there is none, or its verdict is to be guessed; nor of the learner's code, as the
+/// test is done again by ours.
 std::optional<std::size_t> row_to_nudge(const ViewerState& state, const Results& results);
 
 /// Moves one input by so many numbers, further than it is.

@@ -159,6 +159,7 @@ void open_tile(ViewerState& state, const Results& results, TileKind kind) {
     state.overlay.measurement = tile.overlay;
     if (!results.story) return;
     state.page = Page::steps;
+    state.mine.is_stepped = false;  // the tile is about ours
     state.playing = false;
     const std::span<const Event> shown = steps_shown(state, results);
     if (tile.step && !shown.empty()) state.step = std::min(*tile.step, shown.size() - 1);

@@ -89,6 +89,14 @@ void show_beside(ViewerState& state, Beside beside) {
 
 void toggle_mine(ViewerState& state) { show_beside(state, shows_mine(state) ? Beside::nothing : Beside::mine); }
 
+void step_mine(ViewerState& state, bool on) {
+    if (state.mine.is_stepped == on) return;
+    if (on) state.mine = chosen_mine(std::move(state.mine), state.mine.chosen);
+    state.mine.is_stepped = on;
+    state.step = 0;
+    state.playing = false;
+}
+
 bool is_of_all(const MineChoice& mine) { return mine.chosen == LessonChoice(AllLessons{}); }
 
 const learn::Exercise* exercise_of(const MineChoice& mine) {

@@ -34,6 +34,7 @@ struct MineChoice {
     std::uint64_t saved = 0;                            ///< how often one of the headers has changed since we watch
     bool is_tested = false;                             ///< tests run at each save: the page Mine was opened
     std::string test;                                   ///< the one that is chosen there
+    bool is_stepped = false;                            ///< the page Steps goes through its steps, not through ours
 };
 
 /// Whether the learner's picture must be computed: it, or its difference from ours, is shown beside ours.
@@ -60,6 +61,10 @@ void show_last_mine(ViewerState& state);
 /// Shows this beside ours. Where the learner's picture no longer is, ours is computed as it was before that was shown,
 /// unless the user has chosen otherwise since.
 void show_beside(ViewerState& state, Beside beside);
+
+/// Goes through the steps of the learner's code, of what is chosen or of the lesson where the learner is; or through
+/// those of ours.
+void step_mine(ViewerState& state, bool on);
 
 /// Shows it for what was shown last, or, if it is shown, nothing beside ours.
 void toggle_mine(ViewerState& state);

@@ -1,7 +1,9 @@
 #include "viewer/model/work/mine_task.hpp"
 
+#include <chrono>
 #include <exception>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace glassbox {
@@ -42,6 +44,12 @@ void DrawMine::perform(const Request& request, const Run& run, const std::functi
         update.words = error.what();
         tell(std::move(update));
     }
+}
+
+void wait_for_picture(const Run& run) {
+    constexpr std::chrono::milliseconds a_moment{10};
+    const int asked = run.tools.mine_asked;
+    while (run.tools.mine_made < asked && !run.stop.stop_requested()) std::this_thread::sleep_for(a_moment);
 }
 
 void DrawMine::tidy(const ViewerState& state, Results& results, bool) {

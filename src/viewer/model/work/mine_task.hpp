@@ -31,4 +31,7 @@ struct DrawMine {
     static void show(Result update, Results& results);
 };
 
+/// Lets the learner's picture come first, if one is asked for: two compilers at a time would make both late.
+void wait_for_picture(const Run& run);
+
 }  // namespace glassbox

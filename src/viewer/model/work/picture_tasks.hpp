@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "render/measure/measure_difference.hpp"
 #include "render/render.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/work/mine.hpp"
 #include "viewer/model/work/picture_request.hpp"
 #include "viewer/model/work/progressive.hpp"
@@ -75,6 +77,7 @@ struct MeasureOverlay {
     struct Request {
         PictureRequest seen;
         const Measurement* what;
+        std::optional<Minus> minus;
 
         bool operator==(const Request&) const = default;
     };
@@ -82,21 +85,42 @@ struct MeasureOverlay {
 
     static std::optional<Request> wanted(const ViewerState& state) {
         const Measurement* const what = find_measurement(state.overlay.measurement);
-        return what ? std::optional(Request{picture_request(state), what}) : std::nullopt;
+        if (!what) return {};
+        const Minus* const minus = subtracted(state.overlay);
+        return Request{picture_request(state), what, minus ? std::optional(*minus) : std::nullopt};
     }
     static bool goes_on(const Request& before, const Request& now) {
-        return before.seen.scene == now.seen.scene && before.what == now.what;
+        return before.seen.scene == now.seen.scene && before.what == now.what && before.minus == now.minus;
     }
     static void perform(const Request& request, const Run& run, const auto& deliver) {
-        const auto& [seen, what] = request;
-        const auto measured = [&](const Scene& scene, int factor, const Job& job) {
-            std::vector<Channel> channels =
-                measure(scene, request.seen.setup.options, std::span(&request.what, 1), job).front();
-            FoundPixels found = factor == 1 ? find_pixels(*request.what, channels.front()) : FoundPixels{};
-            return std::make_shared<const MeasuredChannels>(MeasuredChannels{
-                request.what, std::move(channels), factor, request.seen.scene, request.seen.setup, std::move(found)});
+        const PictureRequest& seen = request.seen;
+        const auto made = [&](const Scene& scene, int factor, const Job& job) {
+            MeasuredChannels made = request.minus ? difference(request, scene, job) : measured(request, scene, job);
+            made.factor = factor;
+            made.scene = request.seen.scene;
+            made.setup = request.seen.setup;
+            if (factor == 1) made.found = find_pixels(*made.what, made.channels.front());
+            return std::make_shared<const MeasuredChannels>(std::move(made));
         };
-        coarse_to_fine(applied(*seen.scene, seen.setup), background_job(seen, run), run.pace, measured, deliver);
+        coarse_to_fine(applied(*seen.scene, seen.setup), background_job(seen, run), run.pace, made, deliver);
+    }
+    static MeasuredChannels measured(const Request& request, const Scene& scene, const Job& job) {
+        MeasuredChannels result;
+        result.what = request.what;
+        result.channels = measure(scene, request.seen.setup.options, std::span(&request.what, 1), job).front();
+        return result;
+    }
+    static MeasuredChannels difference(const Request& request, const Scene& scene, const Job& job) {
+        std::vector<MeasuredDifference> differences =
+            measure_difference(scene, request.seen.setup, *request.minus, std::span(&request.what, 1), job);
+        MeasuredDifference& only = differences.front();
+        MeasuredChannels result;
+        result.difference = std::move(only.what);
+        result.what = result.difference.get();
+        result.channels.push_back(std::move(only.channel));
+        result.both.push_back(std::move(only.one));
+        result.both.push_back(std::move(only.other));
+        return result;
     }
     static void tidy(const ViewerState& state, Results& results, bool) {
         if (!find_measurement(state.overlay.measurement)) results.overlay = nullptr;

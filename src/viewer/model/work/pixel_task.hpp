@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "explain/explain.hpp"
@@ -10,8 +11,8 @@
 
 namespace glassbox {
 
-/// The story of a pinned pixel.
-template <std::optional<Pixel> ViewerState::*Pinned, std::shared_ptr<const Story> Results::*Told>
+/// The story of a pinned pixel; `Told` is where it is put, a member of Results.
+template <std::optional<Pixel> ViewerState::*Pinned, auto Told>
 struct ExplainPixel {
     struct Request {
         PictureRequest seen;
@@ -56,7 +57,7 @@ struct ExplainPixel {
     }
 
 private:
-    static constexpr bool has_timeline = Told == &Results::story;
+    static constexpr bool has_timeline = std::is_same_v<decltype(Told), decltype(&Results::story)>;
 
     static bool lies_on(const Scene& scene, Pixel pixel) {
         return pixel.x >= 0 && pixel.y >= 0 && pixel.x < scene.width && pixel.y < scene.height;

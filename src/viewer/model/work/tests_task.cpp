@@ -1,24 +1,12 @@
 #include "viewer/model/work/tests_task.hpp"
 
-#include <chrono>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "learn/tell_tests.hpp"
+#include "viewer/model/work/mine_task.hpp"
 
 namespace glassbox {
-
-namespace {
-
-/// Lets the picture come first: two compilers at a time would make both late.
-void wait_for_picture(const Run& run) {
-    constexpr std::chrono::milliseconds a_moment{10};
-    const int asked = run.tools.mine_asked;
-    while (run.tools.mine_made < asked && !run.stop.stop_requested()) std::this_thread::sleep_for(a_moment);
-}
-
-}  // namespace
 
 void TestMine::perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver) {
     const auto tell = [&](learn::ToldTests tests) {

@@ -2,6 +2,7 @@
 
 #include "output/value_words.hpp"
 #include "viewer/model/overlay/laid_over.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/ui/panels.hpp"
 
 namespace glassbox {
@@ -26,7 +27,7 @@ std::string hovered_text(const Frame& frame) {
         for (const Channel& channel : overlay->channels)
             text += fmt::format("   {}: {}", channel.name, value_in_words(*overlay->what, channel.at({x, y})));
     } else if (find_measurement(frame.state.overlay.measurement)) {
-        text += fmt::format("   {}: … being measured", frame.state.overlay.measurement);
+        text += fmt::format("   {}: … being measured", name_of(frame.state.overlay));
     }
     return text;
 }

@@ -17,8 +17,34 @@ using learn::mine::PictureUpdate;
 using learn::mine::Stand;
 
 /// The line that does not compile, with a caret below the place.
-std::string source_of(const PictureUpdate& update) {
-    return update.error && !update.error->source.empty() ? learn::with_caret(*update.error) : "";
+std::string source_of(const std::optional<learn::CompileError>& error) {
+    return error && !error->source.empty() ? learn::with_caret(*error) : "";
+}
+
+MineSign sign_of(const Palette& palette, Stand stand) {
+    switch (stand) {
+        case Stand::not_there:
+            return {"⚠", palette.warning};
+        case Stand::compiling:
+        case Stand::drawing:
+            return {"…", palette.faint_text};
+        case Stand::not_written:
+            return {"☐", palette.warning};
+        case Stand::drawn:
+            return {"✓", palette.passed};
+        case Stand::does_not_compile:
+        case Stand::failed:
+            break;
+    }
+    return {"✗", palette.failed};
+}
+
+void draw_source_of(const Frame& frame, const std::optional<learn::CompileError>& error) {
+    const std::string source = source_of(error);
+    if (source.empty()) return;
+    ImGui::PushFont(frame.fonts.mono);
+    ImGui::TextUnformatted(source.c_str());
+    ImGui::PopFont();
 }
 
 std::string how_long(const PictureUpdate& update) {
@@ -33,21 +59,9 @@ MineSign mine_sign(const Frame& frame) {
     const Palette& palette = frame.palette;
     if (!frame.state.mine.problem.empty()) return {"⚠", palette.warning};
     if (!frame.results.mine) return {"…", palette.faint_text};
-    switch (frame.results.mine->stand) {
-        case Stand::not_there:
-            return {"⚠", palette.warning};
-        case Stand::compiling:
-        case Stand::drawing:
-            return {"…", palette.faint_text};
-        case Stand::not_written:
-            return {"☐", palette.warning};
-        case Stand::drawn:
-            return frame.results.mine->spot ? MineSign{"⚠", palette.warning} : MineSign{"✓", palette.passed};
-        case Stand::does_not_compile:
-        case Stand::failed:
-            break;
-    }
-    return {"✗", palette.failed};
+    const MineSign sign = sign_of(palette, frame.results.mine->stand);
+    return frame.results.mine->spot && frame.results.mine->stand == Stand::drawn ? MineSign{"⚠", palette.warning}
+                                                                                 : sign;
 }
 
 std::string mine_words(const Frame& frame) {
@@ -94,7 +108,7 @@ void draw_mine_banner(const Frame& frame, ImVec2 corner, ImVec2 size, float left
     const float room = corner.x + size.x - left - 3 * pad;
     if (room < 6 * font) return;
     const std::string text = wrapped(fmt::format("{} {}", sign, words), room);
-    const std::string source = frame.results.mine ? source_of(*frame.results.mine) : "";
+    const std::string source = frame.results.mine ? source_of(frame.results.mine->error) : "";
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     const ImVec2 lines = frame.fonts.mono->CalcTextSizeA(font, 1e9f, 0, source.c_str());
     const float below = source.empty() ? 0 : lines.y + pad / 2;
@@ -121,11 +135,7 @@ void draw_mine_state(const Frame& frame) {
     draw_wrapped(color, fmt::format("{} {}", sign, words.empty() && drawn ? how_long(*update) : words));
     if (!update) return;
     if (update->drawing && !update->by_whom.empty()) draw_wrapped(update->by_whom);
-    if (const std::string source = source_of(*update); !source.empty()) {
-        ImGui::PushFont(frame.fonts.mono);
-        ImGui::TextUnformatted(source.c_str());
-        ImGui::PopFont();
-    }
+    draw_source_of(frame, update->error);
     if (update->error && update->error->others > 0)
         faint(frame, fmt::format("and {} more after it, which it may have caused", update->error->others));
     if (update->spot && ImGui::Button(fmt::format("Pin ({}, {})", update->spot->x, update->spot->y).c_str()))
@@ -145,6 +155,17 @@ void draw_mine_state(const Frame& frame) {
                            update->said.c_str() + std::min<std::size_t>(update->said.size(), 2000));
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
+}
+
+void draw_recording(const Frame& frame) {
+    const learn::mine::RecordingUpdate& update = frame.results.mine_steps.update;
+    if (!frame.state.mine.problem.empty()) return draw_wrapped(frame.palette.warning, "⚠ " + frame.state.mine.problem);
+    if (update.words.empty()) return;
+    const auto [sign, color] = sign_of(frame.palette, update.stand);
+    draw_wrapped(color, fmt::format("{} {}", sign, update.words));
+    if (!update.error) return;
+    draw_source_of(frame, update.error);
+    if (!update.error->plain.empty()) draw_wrapped(update.error->plain);
 }
 
 }  // namespace glassbox

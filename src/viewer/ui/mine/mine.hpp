@@ -35,4 +35,7 @@ void draw_looked_at_banner(const Frame& frame, ImVec2 corner, ImVec2 size);
 /// The state of the picture, which lessons draw it, and what the code printed.
 void draw_mine_state(const Frame& frame);
 
+/// How the recording of the learner's steps stands, if there is anything to say.
+void draw_recording(const Frame& frame);
+
 }  // namespace glassbox

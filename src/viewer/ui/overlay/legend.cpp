@@ -60,8 +60,10 @@ void counts(const Frame& frame, const Measurement& what, const Distribution& of)
     for (const auto& [color, text, count] : of.words)
         swatch(color, text + ": " + (count == 0 ? "no pixel" : pixels(count)));
     if (of.summary.missing > 0)
-        faint(frame,
-              "Nothing was measured there. What came out as NaN counts as no value, too: the two look the same.");
+        faint(frame, what.scale == Scale::difference
+                         ? "At least one of the two has no value there: nothing was measured, or NaN came out."
+                         : "Nothing was measured there. What came out as NaN counts as no value, too: the two look the "
+                           "same.");
     const std::int64_t outside = of.outside.below + of.outside.above;
     if (what.scale == Scale::direction && outside > 0)
         ImGui::TextWrapped("beyond −1 or 1, shown as if there: %s", pixels(outside).c_str());
@@ -81,7 +83,8 @@ bool number_field(const char* label, double& value, float width) {
 
 std::string_view told_range(const Measurement& what) {
     if (what.range) return "The same for every picture";
-    if (what.scale == Scale::diverging) return "As far to both sides of 0 as the values reach";
+    if (what.scale == Scale::diverging || what.scale == Scale::difference)
+        return "As far to both sides of 0 as the values reach";
     return "From the least to the greatest value";
 }
 
@@ -98,7 +101,8 @@ void spacing(const Frame& frame, const Measurement& what, const Coloring& colori
     if (ImGui::BeginCombo("##spacing", overlay.spacing ? label(*overlay.spacing).c_str() : usual.c_str())) {
         if (ImGui::Selectable(usual.c_str(), !overlay.spacing)) overlay.spacing.reset();
         for (const auto& each : spacings)
-            if (ImGui::Selectable(fmt::format("{}: {}", each.name, each.help).c_str(), overlay.spacing == each.value))
+            if (spacing_of(what, each.value) == each.value &&
+                ImGui::Selectable(fmt::format("{}: {}", each.name, each.help).c_str(), overlay.spacing == each.value))
                 overlay.spacing = each.value;
         ImGui::EndCombo();
     }

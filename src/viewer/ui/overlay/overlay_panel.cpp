@@ -24,6 +24,7 @@ void draw_overlay(const Frame& frame) {
     }
     draw_measurement_list(frame);
     if (!frame.state.overlay.measurement.empty()) {
+        draw_minus(frame);
         heading(frame, "What the colours mean");
         draw_legend(frame);
     }

@@ -8,6 +8,7 @@ namespace glassbox {
 // The parts of the overlay's page, one below the other.
 
 void draw_measurement_list(const Frame& frame);
+void draw_minus(const Frame& frame);   ///< what is subtracted from the measurement
 void draw_legend(const Frame& frame);  ///< opacity, range, what the colours stand for, and how often
 
 /// The values of one component, above its bar of colours; dragging over it brushes them. `axis` is 0 to 2 for a

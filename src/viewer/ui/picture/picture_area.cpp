@@ -6,6 +6,7 @@
 
 #include "output/value_words.hpp"
 #include "viewer/model/overlay/laid_over.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/overlay/beside.hpp"
 #include "viewer/ui/panels.hpp"
@@ -211,7 +212,7 @@ void draw_labels(const Canvas& canvas) {
     other.triangle_rule = state.other.triangle_rule;
     other.sphere_rule = state.other.sphere_rule;
     const float split = canvas.split();
-    std::string right = state.overlay.measurement.empty() ? "no overlay" : state.overlay.measurement;
+    std::string right = state.overlay.measurement.empty() ? "no overlay" : name_of(state.overlay);
     if (state.beside == Beside::other) right = "other: " + how_computed(other);
     if (state.beside == Beside::difference)
         right = fmt::format("difference × {} from: {}", Difference::magnification, how_computed(other));

@@ -10,6 +10,7 @@
 #include "output/legend_bar.hpp"
 #include "output/legend_number.hpp"
 #include "viewer/model/overlay/laid_over.hpp"
+#include "viewer/model/overlay/subtracted.hpp"
 
 namespace glassbox {
 
@@ -89,7 +90,7 @@ void fill(Card& card, const Frame& frame, float close_button, float least_room) 
     const Measurement& what = *find_measurement(state.overlay.measurement);
     const std::string unit = what.unit.empty() ? "" : fmt::format(" in {}", what.unit);
     const bool is_old = overlay && !laid_over(state, frame.results);
-    card.text(std::string(what.name) + unit + (is_old ? " …" : ""), frame.palette.accent, close_button);
+    card.text(name_of(state.overlay) + unit + (is_old ? " …" : ""), frame.palette.accent, close_button);
     if (!overlay || frame.pictures.distributions().empty()) return card.text("… being measured", frame.palette.warning);
     if (overlay->factor > 1) card.text(fmt::format("… coarse: 1/{}", overlay->factor), frame.palette.warning);
     if (const std::string& why = overlay->channels.front().why_no_value; !why.empty())
@@ -98,7 +99,7 @@ void fill(Card& card, const Frame& frame, float close_button, float least_room) 
     if (what.scale == Scale::direction) {
         card.text("x red, y green, z blue, from −1, dark, to 1", frame.palette.text);
     } else {
-        if (what.words.empty() && of.summary.any_finite()) card.bar(of.coloring);
+        if (overlay->what->words.empty() && of.summary.any_finite()) card.bar(of.coloring);
         if (of.coloring.spacing != Spacing::linear)
             card.text(spacing_in_words(of.coloring.spacing), frame.palette.faint_text);
     }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/ui/steps/parts.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
 
@@ -39,7 +40,7 @@ void draw_losses(const Frame& frame) {
         ImGui::TableSetupColumn("step", 0, .64f);
         ImGui::TableHeadersRow();
         for (const auto& [number, own, inherited] : losses) {
-            const Event& event = frame.results.timeline[number];
+            const Event& event = steps_now(frame.state, frame.results).timeline[number];
             ImGui::PushID(static_cast<int>(number));
             ImGui::TableNextRow();
             draw_bits_lost(frame, own, most);

@@ -112,10 +112,11 @@ void draw_answers(const Frame& frame, const std::vector<NudgedAnswer>& answers) 
 void draw_nudge(const Frame& frame) {
     const std::optional<std::size_t> row = row_to_nudge(frame.state, frame.results);
     if (!row)
-        return draw_wrapped(frame.palette.faint_text,
-                            frame.state.predicting.on
-                                ? "Once you have seen this surface's verdict, its numbers can be nudged."
-                                : "Step to the test of a surface: its numbers can be nudged.");
+        return draw_wrapped(
+            frame.palette.faint_text,
+            frame.state.mine.is_stepped ? "Numbers are nudged in our test: choose the steps of ours above."
+            : frame.state.predicting.on ? "Once you have seen this surface's verdict, its numbers can be nudged."
+                                        : "Step to the test of a surface: its numbers can be nudged.");
     const std::shared_ptr<const Nudged> now = frame.state.stepping.nudged;  // a click changes what the state has
     if (!now) return;
     const story::Surface& surface = frame.results.story->surfaces[frame.state.stepping.nudged_row];

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,7 @@
 #include "viewer/model/story/functions.hpp"
 #include "viewer/model/story/lesson.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/ui/steps/parts.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
@@ -79,7 +81,7 @@ Drawn draw_lines(const Frame& frame, const SourceFile& file, std::size_t marked,
 void follow_line(const SourceFile& file, std::size_t line, float middle) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("line"), width_id = ImGui::GetID("width");
-    const auto key = static_cast<int>(&file - core_sources().data()) * 10000 + static_cast<int>(line);
+    const auto key = static_cast<int>(std::hash<const void*>{}(&file) * 10000 + line);
     const auto width = static_cast<int>(ImGui::GetWindowWidth());
     if (storage->GetInt(id, -1) == key && storage->GetInt(width_id, -1) == width) return;
     storage->SetInt(id, key);
@@ -138,10 +140,10 @@ void draw_lesson(const Frame& frame, const Described& lesson) {
 }  // namespace
 
 void draw_source(const Frame& frame, const Event& event) {
-    const std::vector<StackLine> stack = call_stack(*frame.results.story, event);
-    const Described lesson = lesson_of(*frame.results.story, event);
+    const std::vector<StackLine> stack = call_stack(*steps_now(frame.state, frame.results).story, event);
+    const Described lesson = lesson_of(*steps_now(frame.state, frame.results).story, event);
     const std::size_t level = level_now(frame.state, frame.results);
-    SourceLine source = source_of(*frame.results.story, event);
+    SourceLine source = source_of(*steps_now(frame.state, frame.results).story, event);
     std::size_t wanted = source.line > 0 ? source.line : lesson.line;
     if (!stack.empty()) {
         source = {stack[level].file, stack[level].line};
@@ -153,7 +155,7 @@ void draw_source(const Frame& frame, const Event& event) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float lesson_height = room > 20 * line ? .25f * room : 0;  // else it has a pane to itself alone
     ImGui::BeginChild("stack", {0, std::max(3.5f * line, .22f * room)}, true);
-    if (stack.empty()) draw_wrapped(frame.palette.faint_text, "No line of the core does this alone.");
+    if (stack.empty()) draw_wrapped(frame.palette.faint_text, "No line alone does this.");
     else draw_stack(frame, stack, level);
     ImGui::EndChild();
     if (source.file) {
@@ -176,7 +178,7 @@ void draw_source(const Frame& frame, const Event& event) {
 }
 
 void draw_formula(const Frame& frame, const Event& event) {
-    const Described lesson = lesson_of(*frame.results.story, event);
+    const Described lesson = lesson_of(*steps_now(frame.state, frame.results).story, event);
     ImGui::BeginChild("formula", {0, 0}, true);
     if (lesson.text.empty()) draw_wrapped(frame.palette.faint_text, "The core says nothing about this step.");
     draw_lesson(frame, lesson);

@@ -4,6 +4,7 @@
 
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/ui/steps/parts.hpp"
 
 namespace glassbox {
@@ -31,7 +32,7 @@ std::vector<Row> rows_of(std::span<const Event> events, const std::vector<bool>&
 }
 
 void draw_event(const Frame& frame, std::size_t number) {
-    const Event& event = frame.results.timeline[number];
+    const Event& event = steps_now(frame.state, frame.results).timeline[number];
     const float em = ImGui::GetFontSize(), left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
     const bool current = number == frame.state.step;
     if (ImGui::Selectable("##event", current)) {
@@ -60,7 +61,8 @@ void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("shown");
     const auto step = static_cast<int>(frame.state.step);
-    const int serial = static_cast<int>(2 * frame.results.story_serial) + frame.state.stepping.fed.has_value();
+    const int serial =
+        static_cast<int>(2 * steps_now(frame.state, frame.results).story_serial) + frame.state.stepping.fed.has_value();
     const ImGuiID story_id = ImGui::GetID("story");
     const ImGuiID height_id = ImGui::GetID("height");
     const auto lines = static_cast<int>(100 * height / ImGui::GetTextLineHeightWithSpacing());
@@ -79,7 +81,7 @@ void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
 }  // namespace
 
 Sign sign_of(const Frame& frame, std::size_t step) {
-    const Event& event = frame.results.timeline[step];
+    const Event& event = steps_now(frame.state, frame.results).timeline[step];
     if (event.failed) return {"✗", frame.palette.failed};
     if (event.holds) return *event.holds ? Sign{"✓", frame.palette.passed} : Sign{"no", frame.palette.faint_text};
     if (event.cancellation && !hides_loss(frame.state, frame.results, step)) return {"⚠", frame.palette.warning};
@@ -107,8 +109,9 @@ void draw_event_list(const Frame& frame, float height) {
             ImGui::PushID(i);
             if (row.heading) {
                 ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
-                ImGui::TextUnformatted(
-                    fitting(frame.results.timeline[row.event].group, ImGui::GetContentRegionAvail().x).c_str());
+                ImGui::TextUnformatted(fitting(steps_now(frame.state, frame.results).timeline[row.event].group,
+                                               ImGui::GetContentRegionAvail().x)
+                                           .c_str());
                 ImGui::PopStyleColor();
             } else draw_event(frame, row.event);
             ImGui::PopID();

@@ -7,6 +7,7 @@
 #include "viewer/model/state/playing.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/ui/steps/parts.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
@@ -135,7 +136,7 @@ void counts(const Frame& frame) {
     auto lost = std::count_if(events.begin(), events.end(), [](const Event& e) { return e.cancellation; });
     if (!events.empty() && hides_loss(frame.state, frame.results, events.size() - 1)) --lost;
     ImGui::AlignTextToFramePadding();
-    const bool is_all = events.size() == frame.results.timeline.size();
+    const bool is_all = events.size() == steps_now(frame.state, frame.results).timeline.size();
     ImGui::TextUnformatted(
         fmt::format("{} of {}{}", frame.state.step + 1, events.size(), is_all ? "" : " so far").c_str());
     // As if at the last step, so that no line breaks elsewhere while one steps.

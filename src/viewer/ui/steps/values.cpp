@@ -9,6 +9,7 @@
 #include "explain/phrases.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
+#include "viewer/model/story/steps_now.hpp"
 #include "viewer/ui/steps/parts.hpp"
 #include "viewer/ui/widgets/buttons.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
@@ -80,7 +81,7 @@ void draw_answer(const Frame& frame, const Checked& answer) {
 }
 
 void draw_step(const Frame& frame, const Event& event) {
-    const std::span<const StoryStep> steps = tape_of(*frame.results.story, *event.place);
+    const std::span<const StoryStep> steps = tape_of(*steps_now(frame.state, frame.results).story, *event.place);
     const StoryStep& told = steps[event.place->step];
     const int count = operands(told.step.operation);
     const bool compares = is_comparison(told.step.operation),
