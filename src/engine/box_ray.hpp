@@ -111,13 +111,16 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
         const Box& around = engine.around();
         const int main_axis = std::abs(D[0]) == longest ? 0 : std::abs(D[1]) == longest ? 1 : 2;
         const double begin = D[main_axis] > 0 ? around.lo[main_axis] : around.hi[main_axis];
-        const double entry = (begin - start[main_axis]) / d[main_axis] - (farthest + size) * 0x1p-48;
-        if (entry > 0) {
-            result.shift = entry;
+        for (int times = 0; times < 2; ++times) {  // the second from nearby, with more digits
+            const double from = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])});
+            const double entry = (begin - start[main_axis]) / d[main_axis] - (from + size) * 0x1p-48;
+            if (!(entry > 0)) break;
+            result.shift = (result.shift + entry) * (1 - 0x1p-52);
             result.as_given = false;
+            result.start_error = 0;
             double at[3];
             for (int k = 0; k < 3; ++k) {
-                const Approximately moved = moved_along(P[k], middle[k], entry, d[k]);
+                const Approximately moved = moved_along(P[k], middle[k], result.shift, d[k]);
                 start[k] = moved.value;
                 error[k] = moved.error;
                 at[k] = middle[k] + start[k];
@@ -125,6 +128,10 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
             }
             result.ray.P = {at[0], at[1], at[2]};
         }
+    }
+    if (!(std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) < 0x1p100)) {
+        made.reset();  // floats could not say where it starts
+        return made;
     }
     for (int k = 0; k < 3; ++k) {
         double direction = d[k];

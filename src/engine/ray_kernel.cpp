@@ -43,7 +43,6 @@ public:
             test(child);
             if (Any && found_.high < infinity) break;
         }
-        finish();
     }
 
 private:
@@ -80,6 +79,13 @@ private:
     /// Takes a surface that is met between two t, if at all.
     void add(std::uint32_t surface, bool sure, double low, double high) {
         if (low > found_.high) return;
+        if (Any && sure) {  // nothing else matters
+            found_.count = 1;
+            found_.too_many = false;
+            found_.high = high;
+            found_.list[0] = {surface, sure, low};
+            return;
+        }
         if (sure && high < found_.high) {
             found_.high = high;
             t_max_ = BoxRay::t_max_of(high);
@@ -94,14 +100,6 @@ private:
         for (int i = 0; i < found_.count; ++i)
             if (found_.list[i].low <= found_.high) found_.list[kept++] = found_.list[i];
         found_.count = kept;
-    }
-
-    void finish() {
-        if (!Any || !(found_.high < infinity)) return;
-        for (int i = 0; i < found_.count; ++i)
-            if (found_.list[i].sure) found_.list[0] = found_.list[i];
-        found_.count = 1;
-        found_.too_many = false;
     }
 
     Candidates& found_;

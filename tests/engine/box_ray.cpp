@@ -82,7 +82,8 @@ std::uint32_t visited(const engine::Hierarchy& hierarchy, const engine::BoxRay& 
 /// A double that is not below t.
 double at_least(const Exact& t) {
     const Bounded nearest = t.to_bounded();
-    return nearest.value + 2 * nearest.error;
+    // The sum is rounded to the nearest double, which may be below.
+    return std::nextafter(nearest.value + 2 * nearest.error, std::numeric_limits<double>::infinity());
 }
 
 struct BoxCounts {
@@ -97,7 +98,7 @@ Ray<double> ray_at(const engine::Engine& engine, const Box& box, double distance
         x[k] = random.one_in(3) ? lo : random.one_in(2) ? hi : lo + random.fraction() * (hi - lo);
     }
     const Vec3<double> D = test::some_vector(random, 1);
-    const Vec3<double> P = engine.middle() + Vec3<double>{x[0], x[1], x[2]} - distance * D;
+    const Vec3<double> P = 1 / engine.scale() * (engine.middle() + Vec3<double>{x[0], x[1], x[2]}) - distance * D;
     return {P, speed * D};
 }
 
@@ -114,7 +115,9 @@ void check_boxes(BoxCounts& counts, double size, double away, double distance, d
         if (!in_floats) continue;
         ++counts.rays;
         const std::uint32_t all = visited(hierarchy, *in_floats, Box::inf);
-        const Vec3<Exact> P = exact(ray.P) - exact(engine.middle()), D = exact(ray.D);
+        // Boxes are at the engine's scale s: the ray passes through sP + t sD there.
+        const Exact s(engine.scale());
+        const Vec3<Exact> P = s * exact(ray.P) - exact(engine.middle()), D = s * exact(ray.D);
         for (std::size_t i = 0; i < engine::fan_out; ++i) {
             const std::optional<Exact> t = enters(P, D, boxes[i]);
             if (!t) {

@@ -65,7 +65,9 @@ struct Inspection {
             const std::uint32_t surface = tree.surfaces[i];
             ++seen[surface];
             const Vec3<double> m = engine.middle();
-            const auto inside = [&](const Vec3<double>& v, double r) {
+            const auto inside = [&](const Vec3<double>& given, double its_r) {
+                const Vec3<double> v = engine.scale() * given;
+                const double r = engine.scale() * its_r;
                 return between(v.x - r, v.x + r, m.x, lo[0], hi[0]) && between(v.y - r, v.y + r, m.y, lo[1], hi[1]) &&
                        between(v.z - r, v.z + r, m.z, lo[2], hi[2]);
             };

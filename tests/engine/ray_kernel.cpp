@@ -30,15 +30,18 @@ struct Counts {
     int rays = 0, told = 0, hits = 0, wrong = 0;
 };
 
-bool is_above(const TrueT& t, double bound) { return std::isfinite(bound) && compare(t.exact(), Exact(bound)) > 0; }
-bool is_below(const TrueT& t, double bound) { return std::isfinite(bound) && compare(t.exact(), Exact(bound)) < 0; }
+/// A hit's t, in the ray's own.
+Exact own_t(const engine::BoxRay& ray, const TrueT& t) { return t.exact() * Exact(ray.scale) - Exact(ray.shift); }
+
+bool is_above(const Exact& t, double bound) { return std::isfinite(bound) && compare(t, Exact(bound)) > 0; }
+bool is_below(const Exact& t, double bound) { return std::isfinite(bound) && compare(t, Exact(bound)) < 0; }
 
 /// Each candidate that is sure is met, none of them before its `low`, and a sure one by `high`; a surface that is no
 /// candidate is not met before that.
 void check_first(Counts& counts, const Few& few, const engine::Engine& engine, const Ray<double>& ray) {
     const auto boxes = engine::box_ray(ray, engine);
     if (!boxes) return;
-    const engine::Candidates found = engine::first_candidates(engine, ray, *boxes);
+    const engine::Candidates found = engine::first_candidates(engine, *boxes);
     ++counts.rays;
     counts.told += found.is_told();
     bool one_by_high = !std::isfinite(found.high);
@@ -46,7 +49,8 @@ void check_first(Counts& counts, const Few& few, const engine::Engine& engine, c
         const auto* const end = found.list + found.count;
         const auto* const candidate =
             std::find_if(found.list, end, [&](const engine::Candidate& one) { return one.surface == surface; });
-        const std::optional<TrueT> t = few.crossing(ray, surface);
+        const std::optional<TrueT> crossing = few.crossing(ray, surface);
+        const std::optional<Exact> t = crossing ? std::optional(own_t(*boxes, *crossing)) : std::nullopt;
         counts.hits += t.has_value();
         if (candidate == end) {
             counts.wrong += t && !found.too_many && !is_above(*t, found.high);
@@ -63,7 +67,7 @@ void check_first(Counts& counts, const Few& few, const engine::Engine& engine, c
 void check_any(Counts& counts, const Few& few, const engine::Engine& engine, const Ray<double>& ray) {
     const auto boxes = engine::box_ray(ray, engine);
     if (!boxes) return;
-    const engine::Candidates found = engine::any_candidates(engine, ray, *boxes);
+    const engine::Candidates found = engine::any_candidates(engine, *boxes);
     if (!found.is_told()) return;
     if (found.count == 1) counts.wrong += !few.crossing(ray, found.list[0].surface);
     else

@@ -7,8 +7,10 @@
 #include <filter.hpp>
 #include <probe.hpp>
 
+#include "numerics/bounded_pair.hpp"
 #include "render/rules.hpp"
 #include "render/search/exact_crossing.hpp"
+#include "render/search/ordinary_scale.hpp"
 #include "render/search/probe_flags.hpp"
 #include "render/search/surface_normal.hpp"
 #include "render/search/surfaces.hpp"
@@ -41,8 +43,8 @@ auto errors_for(const Ray<double>& ray, const Shape& surface) {
 }
 
 /// Decides whether a ray meets a surface, and which of two it meets first. Correct always. Tries double with an
-/// a-priori bound, then Bounded, then Exact, each only where the one before leaves the answer open; all three run the
-/// core's own formulas. Surfaces at the same distance are compared exactly; of equals the one listed last wins.
+/// a-priori bound, then Bounded, then BoundedPair, then Exact, each only where the one before leaves the answer open; all
+/// of them run the core's own formulas. Surfaces at the same distance are compared exactly; of equals the one listed last wins.
 ///
 /// `Store` keeps the surfaces: `with_surface(number, use)` calls `use` with one of them, and `errors(surface, number,
 /// ray)` bounds the rounding of the doubles that decide about it.
@@ -125,6 +127,9 @@ public:
         constexpr double good_enough = 0x1p-49;
         const Bounded t = with_bound(ray, hit).t;
         if (t.error <= good_enough * std::abs(t.value)) return t;
+        if (!only_exact_)
+            if (const Answer finer = by_running_bounds<BoundedPair>(ray, hit.surface); finer.hit)
+                if (const Bounded& its = finer.hit->t; its.error <= good_enough * std::abs(its.value)) return its;
         return true_t(ray, hit.surface)->to_bounded();
     }
 
@@ -220,6 +225,7 @@ private:
         probe(told::Undecided{}, surface);
         if constexpr (!OnlyFirstHit<Probe>)
             if (const Answer exact = by_doubles_without_rounding(ray, surface); exact.is_sure) return exact.hit;
+        if (const Answer finer = by_running_bounds<BoundedPair>(ray, surface); finer.is_sure) return finer.hit;
         return by_exact(ray, surface);
     }
 
@@ -228,28 +234,68 @@ private:
     /// again.
     Answer by_filter(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface, [&](const auto& shape, const auto& rule) -> Answer {
-            const Silent silent;
-            DecidingNumbers numbers{silent, sides_decide()};
-            const Crossing<double> plain = intersect(ray, shape, rule, numbers);
-            if (!plain.met) return {};
-            const std::optional<Range> t = sure_range(ray, shape, store_.errors(shape, surface, ray), numbers.of_a_hit);
-            if (!t) return {};
-            return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, t->least, t->most}};
+            if (const auto ordinary = at_ordinary_scale(ray, shape)) {
+                const auto errors = [&] { return errors_for(ordinary->ray, ordinary->shape); };
+                return at_given_scale(by_filter(ordinary->ray, ordinary->shape, rule, surface, errors), ordinary->per_t);
+            }
+            return by_filter(ray, shape, rule, surface, [&] { return store_.errors(shape, surface, ray); });
         });
+    }
+
+    template <class Shape, class Rule, class Errors>
+    Answer by_filter(const Ray<double>& ray, const Shape& shape, const Rule& rule, std::size_t surface,
+                     const Errors& errors) const {
+        const Silent silent;
+        DecidingNumbers numbers{silent, sides_decide()};
+        const Crossing<double> plain = intersect(ray, shape, rule, numbers);
+        if (!plain.met) return {};
+        const std::optional<Range> t = sure_range(ray, shape, errors(), numbers.of_a_hit);
+        if (!t) return {};
+        return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, t->least, t->most}};
+    }
+
+    /// An answer whose t are multiplied by a power of two; none where that loses digits.
+    static Answer at_given_scale(Answer answer, double per_t) {
+        if (!answer.hit) return answer;
+        const auto fits = [&](double t) { return std::abs(t * per_t) > 0x1p-900 && std::abs(t * per_t) < 0x1p900; };
+        ProvenHit& hit = *answer.hit;
+        if (!fits(hit.told_t) || !fits(hit.nearest) || !fits(hit.farthest)) return {};
+        hit.t = {hit.t.value * per_t, hit.t.error * per_t + 0x1p-1021};
+        hit.told_t *= per_t;
+        hit.nearest *= per_t;
+        hit.farthest *= per_t;
+        return answer;
     }
 
     /// Stage 2: running bounds.
     Answer by_bounds(const Ray<double>& ray, std::size_t surface) const {
-        const Crossing<Bounded> crossing = with_rule(surface, [&](const auto& shape, const auto& rule) {
-            const Silent silent;
-            return intersect(convert<Bounded>(ray), convert<Bounded>(shape), rule, silent);
-        });
-        if (!possibly(crossing.met)) return {true, {}};
-        if (!surely(crossing.met)) return {};
-        return {true, hit_at(surface, crossing.t)};
+        return by_running_bounds<Bounded>(ray, surface);
     }
 
-    /// Stage 3, where doubles happen to hold all digits of the side products: their signs are exact then, zeros too.
+    /// By a scalar that carries a bound on its own error.
+    template <class Number>
+    Answer by_running_bounds(const Ray<double>& ray, std::size_t surface) const {
+        return with_rule(surface, [&](const auto& shape, const auto& rule) {
+            const auto ordinary = at_ordinary_scale(ray, shape);
+            if (!ordinary) return by_running_bounds<Number>(ray, shape, rule, surface);
+            return at_given_scale(by_running_bounds<Number>(ordinary->ray, ordinary->shape, rule, surface),
+                                  ordinary->per_t);
+        });
+    }
+
+    template <class Number, class Shape, class Rule>
+    static Answer by_running_bounds(const Ray<double>& ray, const Shape& shape, const Rule& rule, std::size_t surface) {
+        const Silent silent;
+        const Crossing<Number> crossing = intersect(convert<Number>(ray), convert<Number>(shape), rule, silent);
+        if (!possibly(crossing.met)) return {true, {}};
+        if (!surely(crossing.met)) return {};
+        return {true, hit_at(surface, to_bounded(crossing.t))};
+    }
+    static Bounded to_bounded(const Bounded& t) { return t; }
+    static Bounded to_bounded(const BoundedPair& t) { return t.to_bounded(); }
+
+    /// Where doubles happen to hold all digits of the side products their signs are exact, zeros too. Before stage 3, which
+    /// is `by_running_bounds<BoundedPair>`.
     Answer by_doubles_without_rounding(const Ray<double>& ray, std::size_t surface) const {
         return store_.with_surface(surface, [&](const auto& shape) -> Answer {
             if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Triangle<double>>) {
@@ -341,8 +387,21 @@ private:
         other = with_bound(ray, other);
         if (surely(one.t > other.t)) return false;
         if (surely(one.t < other.t)) return true;
+        if (!only_exact_) {
+            const BoundedPair finer = t_in_pairs(ray, one.surface), its = t_in_pairs(ray, other.surface);
+            if (surely(finer < its)) return true;
+            if (surely(finer > its)) return false;
+        }
         const int order = compare(*true_t(ray, one.surface), *true_t(ray, other.surface));
         return order != 0 ? order < 0 : one.surface > other.surface;
+    }
+
+    /// t of a surface that the ray meets.
+    BoundedPair t_in_pairs(const Ray<double>& ray, std::size_t surface) const {
+        return with_rule(surface, [&](const auto& shape, const auto& rule) {
+            const Silent silent;
+            return intersect(convert<BoundedPair>(ray), convert<BoundedPair>(shape), rule, silent).t;
+        });
     }
 
     /// Whether two hits are one point, as far as it shows without exact arithmetic.

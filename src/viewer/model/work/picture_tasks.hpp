@@ -95,12 +95,12 @@ struct MeasureOverlay {
     static void perform(const Request& request, const Run& run, const auto& deliver) {
         const PictureRequest& seen = request.seen;
         const auto made = [&](const Scene& scene, int factor, const Job& job) {
-            MeasuredChannels made = request.minus ? difference(request, scene, job) : measured(request, scene, job);
-            made.factor = factor;
-            made.scene = request.seen.scene;
-            made.setup = request.seen.setup;
-            if (factor == 1) made.found = find_pixels(*made.what, made.channels.front());
-            return std::make_shared<const MeasuredChannels>(std::move(made));
+            MeasuredChannels result = request.minus ? difference(request, scene, job) : measured(request, scene, job);
+            result.factor = factor;
+            result.scene = request.seen.scene;
+            result.setup = request.seen.setup;
+            if (factor == 1) result.found = find_pixels(*result.what, result.channels.front());
+            return std::make_shared<const MeasuredChannels>(std::move(result));
         };
         coarse_to_fine(applied(*seen.scene, seen.setup), background_job(seen, run), run.pace, made, deliver);
     }
