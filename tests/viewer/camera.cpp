@@ -227,15 +227,18 @@ TEST_CASE("hits are numbered along the ray, and dashed lines go on behind the fi
     CHECK(ray[1].dashed);
     CHECK(length(ray[1].to - drawing.sight.center) > 2 * drawing.sight.radius);
     // At the hit: the normal of the near sphere looks back along the ray, the light is unit(1000, 250, 250).
-    bool normal_seen = false, light_seen = false;
+    // The viewer is where the ray comes from.
+    bool normal_seen = false, light_seen = false, viewer_seen = false;
     for (const ArrowInSpace& arrow : drawing.arrows) {
         check_equal(arrow.from, {250, 250, 250});
         if (std::string_view(arrow.name) == "n") check_equal(arrow.direction, {1, 0, 0}), normal_seen = true;
+        if (std::string_view(arrow.name) == "r") check_equal(arrow.direction, {1, 0, 0}), viewer_seen = true;
         if (std::string_view(arrow.name) == "l")
             check_equal(arrow.direction, unit(Vec3<double>{1000, 250, 250})), light_seen = true;
     }
     CHECK(normal_seen);
     CHECK(light_seen);
+    CHECK(viewer_seen);
 }
 
 TEST_CASE("what is under the mouse is the surface or the picture that is nearest there") {

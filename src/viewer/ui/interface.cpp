@@ -54,8 +54,18 @@ constexpr PageTab pages[] = {
     {Page::mine, "Mine", draw_mine},
 };
 
+/// Whether another page is shown than in the last frame, or text of another size; not at first.
+bool is_shown_anew(Page page) {
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    float* const size = storage->GetFloatRef(ImGui::GetID("text size"), ImGui::GetFontSize());
+    int* const shown = storage->GetIntRef(ImGui::GetID("page"), static_cast<int>(page));
+    const bool other_size = std::exchange(*size, ImGui::GetFontSize()) != ImGui::GetFontSize();
+    return std::exchange(*shown, static_cast<int>(page)) != static_cast<int>(page) || other_size;
+}
+
 void draw_pages(const Frame& frame) {
     static_assert(std::size(pages) == 5);
+    const float top = ImGui::GetCursorScreenPos().y;
     // Dear ImGui's own tab bar cuts titles that do not fit into one line.
     for (const PageTab& tab : pages) {
         if (&tab != pages) flow(tab.title, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -64,12 +74,17 @@ void draw_pages(const Frame& frame) {
     ImGui::Separator();
     for (const PageTab& tab : pages) {
         if (frame.state.page != tab.page) continue;
-        // Where the text is large and the window small, all that is on the right scrolls.
+        // Where the text is large and the window small, all that is on the right scrolls: then the page is as high as
+        // what is left when the line and the tiles are scrolled away, and if that is little, when the tabs are, too.
         constexpr float least_lines = 12;
-        begin_part(tab.title, {0, std::max(ImGui::GetContentRegionAvail().y, least_lines * ImGui::GetFontSize())});
+        const float room = ImGui::GetContentRegionAvail().y, line = ImGui::GetFontSize();
+        const float all = ImGui::GetWindowHeight(), below_tabs = all - (ImGui::GetCursorScreenPos().y - top);
+        const bool scrolls = room < least_lines * line;
+        begin_part(tab.title, {0, scrolls ? std::max(below_tabs, std::min(all, least_lines * line)) : room});
         if (frame.state.keys_work_buttons) take_keyboard();
         tab.draw(frame);
         ImGui::EndChild();
+        if (is_shown_anew(tab.page) && scrolls) ImGui::SetScrollHereY(1);
     }
 }
 
@@ -97,6 +112,7 @@ double Interface::draw(const Input& input) {
     watch_files();
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
+    begin_pointing(state_);
     background_.update(state_, results_);
     pin_at_first(state_, results_);
     follow_story(state_, results_);
@@ -139,7 +155,6 @@ void Interface::watch_files() {
 }
 
 void Interface::lay_out(const Frame& frame) {
-    begin_pointing(state_);
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport->WorkPos);
     ImGui::SetNextWindowSize(viewport->WorkSize);

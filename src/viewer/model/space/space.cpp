@@ -293,6 +293,7 @@ void draw_hit(Drawer& drawer, const Story& story) {
         // As shade() turns it.
         if (hit.shade->model != ShadingModel::levental_2014) n = towards(values(hit.shade->r), n);
         drawer.arrow(point, values(hit.shade->l), Ink::light, "l");
+        drawer.arrow(point, values(hit.shade->r), Ink::viewer, "r");
         drawer.arrow(point, values(hit.shade->h), Ink::half_vector,
                      hit.shade->model == ShadingModel::phong ? "reflection" : "h");
     }

@@ -16,7 +16,7 @@ namespace glassbox {
 // What the space view shows, in the world's coordinates. The ui room projects and draws it.
 
 /// The meanings of colours in space.
-enum class Ink { plain, faint, pinned, second, light, half_vector, a, b, c };
+enum class Ink { plain, faint, pinned, second, light, viewer, half_vector, a, b, c };
 
 /// The surfaces that are drawn: all, or of very many triangles fewer and larger ones, or a sample.
 struct SurfacesInSpace {

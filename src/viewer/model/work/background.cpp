@@ -5,6 +5,7 @@
 #include "viewer/model/work/picture_tasks.hpp"
 #include "viewer/model/work/pixel_task.hpp"
 #include "viewer/model/work/save_task.hpp"
+#include "viewer/model/work/surfaces_task.hpp"
 #include "viewer/model/work/tests_task.hpp"
 #include "viewer/model/work/thumbnail_task.hpp"
 #include "viewer/model/work/worker.hpp"
@@ -16,7 +17,7 @@ struct Background::Work {
     explicit Work(const std::function<void()>& wake) : workers(wake) {}
 
     Workers<RenderPicture, RenderOther, DrawMine, TestMine, MeasureOverlay, ExplainPinned, ExplainCompared, CountBoxes,
-            SaveFile, DrawThumbnails>
+            FindSurfaces, SaveFile, DrawThumbnails>
         workers;
 };
 

@@ -265,6 +265,8 @@ ImU32 color_of(const Palette& palette, Ink ink) {
             return palette.second;
         case Ink::light:
             return palette.n_l;
+        case Ink::viewer:
+            return palette.n_r;
         case Ink::half_vector:
             return palette.n_h;
         case Ink::a:

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
@@ -57,6 +58,10 @@ void draw_timeline_page(const Frame& frame) {
     draw_hidden(frame);
     const Event& event = frame.results.timeline[frame.state.step];
     draw_event_list(frame, std::max(4.5f * line, .18f * room));
+    float* const size = ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("text size"), ImGui::GetFontSize());
+    const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+    const bool in_sight = ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y <= bottom;
+    if (std::exchange(*size, ImGui::GetFontSize()) != ImGui::GetFontSize() && !in_sight) ImGui::SetScrollHereY();
     ImGui::BeginChild("values", {0, std::max(8.5f * line, .24f * room)}, true);
     draw_values(frame, event);
     ImGui::EndChild();
