@@ -9,6 +9,7 @@
 #include "viewer/model/state/first_pin.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/cursor.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
@@ -54,13 +55,14 @@ constexpr PageTab pages[] = {
     {Page::mine, "Mine", draw_mine},
 };
 
-/// Whether another page is shown than in the last frame, or text of another size; not at first.
-bool is_shown_anew(Page page) {
+/// Whether another page is shown than in the last frame, or steps in text of another size.
+bool must_come_in_sight(Page page) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     float* const size = storage->GetFloatRef(ImGui::GetID("text size"), ImGui::GetFontSize());
     int* const shown = storage->GetIntRef(ImGui::GetID("page"), static_cast<int>(page));
     const bool other_size = std::exchange(*size, ImGui::GetFontSize()) != ImGui::GetFontSize();
-    return std::exchange(*shown, static_cast<int>(page)) != static_cast<int>(page) || other_size;
+    return std::exchange(*shown, static_cast<int>(page)) != static_cast<int>(page) ||
+           (other_size && page == Page::steps);
 }
 
 void draw_pages(const Frame& frame) {
@@ -84,7 +86,7 @@ void draw_pages(const Frame& frame) {
         if (frame.state.keys_work_buttons) take_keyboard();
         tab.draw(frame);
         ImGui::EndChild();
-        if (is_shown_anew(tab.page) && scrolls) ImGui::SetScrollHereY(1);
+        if (must_come_in_sight(tab.page) && scrolls) ImGui::SetScrollHereY(1);
     }
 }
 
@@ -125,7 +127,7 @@ double Interface::draw(const Input& input) {
         boxes_.update(state_, results_);
     }
     fly_on(state_, space_.drawing().near, seconds);
-    lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, thumbnails_, seconds});
+    lay_out({state_, results_, pictures_, space_, boxes_, inspector_, fonts_, palette_, thumbnails_, seconds});
     // Update again, so that what this frame's clicks request starts at once.
     background_.update(state_, results_);
     hand_over();
@@ -203,6 +205,7 @@ void Interface::lay_out(const Frame& frame) {
     ImGui::PopStyleVar();
     const Area side = from_here({right, body.y});
     begin_part("side", {right, body.y});
+    if (state_.tour && tour()[*state_.tour].part == WindowPart::truth) ImGui::SetScrollY(0);
     draw_truth(frame);
     const float pages_top = ImGui::GetCursorScreenPos().y;
     places.truth = {side.from, {side.to.x, pages_top}};

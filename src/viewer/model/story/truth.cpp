@@ -99,20 +99,20 @@ void fill_margin(Tile& tile, const Story& story, Events events) {
         return;
     }
     const LeastSure& least = *story.judgement->least;
+    const bool proven = least.sureness > 1, decided = is_decided_exactly(least, story.options);
     const std::string digits = margin_text(least) + " digits";
-    const auto sure = [&](const char* to_spare, const char* by_bounds, const char* decided_exactly) {
-        if (least.sureness > 1) return std::vector<TileLine>{{digits + to_spare, About::number}};
-        if (is_decided_exactly(least, story.options))
-            return std::vector<TileLine>{{digits + by_bounds, About::number}, {decided_exactly, About::words}};
-        return std::vector<TileLine>{{digits + ": undecided", About::danger}};
-    };
-    tile.lines = sure(" to spare", " by bounds alone", "decided in exact arithmetic");
+    const About about = proven || decided ? About::number : About::danger;
+    tile.lines = {{digits + (proven ? " to spare" : decided ? " by bounds alone" : ": undecided"), about}};
+    if (!proven && decided) tile.lines.push_back({"decided in exact arithmetic", About::words});
     tile.lines.push_back({whose(least, story), About::number});
-    tile.brief = sure("", " by bounds", "decided exactly");
-    tile.brief.push_back({(least.nearer_than ? fmt::format("t: {}, {}", *least.nearer_than, least.surface)
-                                             : fmt::format("{} of {}", least.name, least.surface)) +
-                              among_turned(least, story),
-                          About::number});
+    tile.brief = {{digits + (proven    ? ""
+                             : decided ? "; decided exactly"
+                                       : ": undecided"),
+                   about},
+                  {(least.nearer_than ? fmt::format("t: {}, {}", *least.nearer_than, least.surface)
+                                      : fmt::format("{} of {}", least.name, least.surface)) +
+                       among_turned(least, story),
+                   About::number}};
     if (const std::string culprit = lost_by(least, story); !culprit.empty()) {
         tile.lines.push_back({culprit, About::words});
         tile.brief.push_back({culprit, About::words});
