@@ -58,11 +58,12 @@ constexpr PageTab pages[] = {
 /// Whether another page is shown than in the last frame, or steps in text of another size.
 bool must_come_in_sight(Page page) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
+    // A reference holds until the next one is asked for.
     float* const size = storage->GetFloatRef(ImGui::GetID("text size"), ImGui::GetFontSize());
-    int* const shown = storage->GetIntRef(ImGui::GetID("page"), static_cast<int>(page));
     const bool other_size = std::exchange(*size, ImGui::GetFontSize()) != ImGui::GetFontSize();
-    return std::exchange(*shown, static_cast<int>(page)) != static_cast<int>(page) ||
-           (other_size && page == Page::steps);
+    int* const shown = storage->GetIntRef(ImGui::GetID("page"), static_cast<int>(page));
+    const bool other_page = std::exchange(*shown, static_cast<int>(page)) != static_cast<int>(page);
+    return other_page || (other_size && page == Page::steps);
 }
 
 void draw_pages(const Frame& frame) {
