@@ -117,17 +117,16 @@ InspectorPart truth_part(const Story& story) {
                                          judgement.truth_needed_exact ? "in exact arithmetic" : "by error bounds")));
     const auto judged_otherwise = [&](const char* label, const char* path, std::size_t surfaces, const char* what) {
         truth.rows.push_back(row(label, {count(path, static_cast<double>(surfaces))},
-                                 fmt::format("{} {}", surfaces == 1 ? "surface" : "surfaces", what)));
+                                 fmt::format("{} {}", surfaces == 1 ? "surface is" : "surfaces are", what)));
     };
-    judged_otherwise("wrongly met", "/truth/wrongly_met", judgement.wrongly_met,
-                     "of all, called met here, that the ray truly misses");
+    judged_otherwise("wrongly met", "/truth/wrongly_met", judgement.wrongly_met, "said to be met, and truly missed");
     judged_otherwise("wrongly missed", "/truth/wrongly_missed", judgement.wrongly_missed,
-                     "of all, called missed here, that the ray truly meets");
+                     "said to be missed, and truly met");
     if (!judgement.least) return truth;
     const LeastSure& least = *judgement.least;
     const char* const decided = least.sureness > 1                         ? "to spare"
                                 : is_decided_exactly(least, story.options) ? "by bounds alone; exact arithmetic decided"
-                                                                           : "short of being proven";
+                                                                           : "and undecided";
     truth.rows.push_back(row("least margin", {plain("/least_sure/margin", margin(least))},
                              fmt::format("digits {}: {}", decided, whose(least, story))));
     truth.rows.push_back(
