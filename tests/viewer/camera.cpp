@@ -367,3 +367,23 @@ TEST_CASE("large triangles are cut into parts that cover them exactly") {
     CHECK(covered == doctest::Approx(60000));
     CHECK(rim == doctest::Approx(1200));
 }
+
+// A strip of n unit squares, each of two triangles: n + 1 sides across, n diagonals, 2n along.
+TEST_CASE("of many triangles an edge that two share is drawn once, of few with each") {
+    const auto edges = [](int squares) {
+        Scene scene;
+        for (int i = 0; i < squares; ++i) {
+            const double y = i;
+            scene.triangles.push_back({{{{0, y, 0}, {0, y + 1, 0}, {0, y, 1}}}, {1, 2, 3}});
+            scene.triangles.push_back({{{{0, y + 1, 1}, {0, y, 1}, {0, y + 1, 0}}}, {1, 2, 3}});
+        }
+        double sum = 0;
+        for (const SurfacesInSpace::Part& part : surfaces_in_space(scene, 5).parts)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (part.on_its_edge[i]) sum += length(part.corners[(i + 1) % 3] - part.corners[i]);
+        return sum;
+    };
+    const double diagonal = std::sqrt(2.0);
+    CHECK(edges(10) == doctest::Approx(10 * 2 * (2 + diagonal)));
+    CHECK(edges(150) == doctest::Approx(151 + 150 * diagonal + 2 * 150));
+}

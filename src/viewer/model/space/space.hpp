@@ -32,7 +32,7 @@ struct SurfacesInSpace {
     struct Part {
         std::array<Vec3<double>, 3> corners;
         std::uint32_t triangle;           ///< an index into `shown.triangles`
-        std::array<bool, 3> on_its_edge;  ///< whether corner i to i + 1 lies on the triangle's own edge
+        std::array<bool, 3> on_its_edge;  ///< whether corner i to i + 1 lies on an edge that is drawn with the triangle
     };
     std::vector<Part> parts;
 
