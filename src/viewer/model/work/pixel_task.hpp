@@ -3,11 +3,8 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "explain/explain.hpp"
-#include "explain/questions.hpp"
-#include "explain/timeline.hpp"
 #include "viewer/model/state/command.hpp"
 #include "viewer/model/work/picture_request.hpp"
 
@@ -23,11 +20,7 @@ struct ExplainPixel {
 
         bool operator==(const Request&) const = default;
     };
-    struct Result {
-        std::shared_ptr<const Story> story;
-        std::vector<Event> timeline = {};  ///< of the pixel that has one, as the questions
-        std::vector<Question> questions = {};
-    };
+    using Result = std::shared_ptr<const Story>;
 
     static std::optional<Request> wanted(const ViewerState& state) {
         const std::optional<Pixel> pixel = state.*Pinned;
@@ -42,12 +35,7 @@ struct ExplainPixel {
         const auto tell = [&](Detail detail) {
             Story story = explain(scene, options, request.pixel.x, request.pixel.y, detail, job);
             story.command = explain_command(words_of(request.file, *seen.scene, seen.setup), request.pixel);
-            Result result{std::make_shared<const Story>(std::move(story))};
-            if constexpr (has_timeline) {
-                result.timeline = timeline(*result.story);
-                result.questions = questions(*result.story, result.timeline);
-            }
-            deliver(std::move(result));
+            deliver(std::make_shared<const Story>(std::move(story)));
         };
         // How sure a plain scalar is takes a test of every surface: with so many, that is seen to come later.
         constexpr std::size_t many = 50'000;
@@ -59,12 +47,12 @@ struct ExplainPixel {
         results.*Told = nullptr;
         if constexpr (has_timeline) results.timeline.clear(), results.questions.clear();
     }
-    static void show(Result result, Results& results) {
-        results.*Told = std::move(result.story);
+    static void show(Result story, Results& results) {
+        results.*Told = std::move(story);
         ++results.story_serial;
         if constexpr (!has_timeline) return;
-        results.timeline = std::move(result.timeline);
-        results.questions = std::move(result.questions);
+        results.timeline = timeline(*results.story);
+        results.questions = questions(*results.story, results.timeline);
     }
 
 private:
