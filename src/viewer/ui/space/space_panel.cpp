@@ -253,7 +253,9 @@ void draw_space(const Frame& frame) {
     Labels labels(canvas.list, corner, end, faded(frame.palette.canvas, .65));
     std::vector<Hint> hints;
     labels.keep_free(buttons, buttons_end);
+    list.ChannelsSetCurrent(1);  // on top, too, so that no dot or line goes through the words
     paint_caption(canvas, labels, paint_box_legend(canvas, labels, buttons_end.y + pad));
+    list.ChannelsSetCurrent(0);
     keep_off_rays(canvas, labels);
     const std::vector<NamedTip> tips = paint_arrows(canvas, labels);
     paint_labels(canvas, labels, hints);
