@@ -151,6 +151,7 @@ Judgement judged(const std::shared_ptr<const engine::Engine>& surfaces, const Op
     Judgement result;
     if (pixel.nearest) result.shown = pixel.nearest->surface;
     result.truth = truth.nearest;
+    result.truth_needed_exact = truth.needed_exact;
     result.verdict = verdict(result.shown, result.truth);
     result.shown_is_there = result.shown && truth.has(*result.shown);
     if (result.verdict == Verdict::wrong_surface && result.shown_is_there)

@@ -16,9 +16,30 @@ namespace glassbox {
 
 using namespace story;
 
-std::string short_number(double value) { return fmt::format("{:.6g}", value); }
+namespace {
 
-std::string triple(const Vec3<double>& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+constexpr int short_digits = 6;
+
+std::string in_digits(double value, int digits) { return with_minus(fmt::format("{:.{}g}", value, digits)); }
+
+/// As programs write it.
+std::string with_hyphen(std::string_view number) {
+    constexpr std::string_view minus = "−";
+    return number.starts_with(minus) ? '-' + std::string(number.substr(minus.size())) : std::string(number);
+}
+
+}  // namespace
+
+std::string with_minus(std::string number) {
+    if (number.starts_with('-')) number.replace(0, 1, "−");
+    return number;
+}
+
+std::string short_number(double value) { return in_digits(value, short_digits); }
+
+std::string triple(const Vec3<double>& v) {
+    return fmt::format("({}, {}, {})", short_number(v.x), short_number(v.y), short_number(v.z));
+}
 std::string triple(const Vector& v) { return triple(Vec3<double>{v.x.value, v.y.value, v.z.value}); }
 std::string triple(Rgb c) { return fmt::format("({}, {}, {})", c.red, c.green, c.blue); }
 
@@ -36,22 +57,22 @@ bool has_bound(const Number& n) { return std::isfinite(n.value) && std::isfinite
 }  // namespace
 
 WithBound with_bound(const Number& n) {
-    std::string value = has_bound(n) ? value_beside(n.value, n.error) : short_number(n.value);
+    std::string value = has_bound(n) ? with_minus(value_beside(n.value, n.error)) : short_number(n.value);
     std::string its_bound = bound(value, n);
     return {std::move(value), std::move(its_bound)};
 }
 
 std::string bound(std::string_view printed, const Number& n, int digits) {
     if (!has_bound(n)) return "± unknown";
-    const std::string error = bound_beside(printed, n.value, n.error, digits);
+    const std::string number = with_hyphen(printed), error = bound_beside(number, n.value, n.error, digits);
     if (error == "0") return "exact";
-    return n.error == 0 && is_shortest(printed, n.value) ? "exact as a double" : "± " + error;
+    return n.error == 0 && is_shortest(number, n.value) ? "exact as a double" : "± " + error;
 }
 
 std::string truth(const Number& n) {
     if (n.known == Known::not_at_all) return "unknown";
     return may_be_zero(n) ? fmt::format("0, as far as {} bits tell", Dyadic::long_bits)
-                          : fmt::format("{:.17g}", n.truth);
+                          : with_minus(fmt::format("{:.17g}", n.truth));
 }
 
 std::string lost(const Number& n) {
@@ -132,10 +153,28 @@ std::string tolerance_phrase(const TriangleTest& test) {
                        short_number(test.tolerance));
 }
 
+namespace {
+
+/// How many digits tell the sizes of two numbers apart, but at least six.
+int digits_apart(double one, double other) {
+    constexpr int all = 17;
+    const double a = std::abs(one), b = std::abs(other);
+    if (!(a < b || b < a)) return short_digits;
+    int digits = short_digits;
+    while (digits < all && in_digits(a, digits) == in_digits(b, digits)) ++digits;
+    return digits;
+}
+
+}  // namespace
+
 std::string operation(std::span<const StoryStep> steps, const Step& step) {
-    const auto value = [&](StepNumber number) { return short_number(steps[number].checked.value); };
-    if (operands(step.operation) == 1) return fmt::format("{} {}", word(step.operation), value(step.left));
-    return fmt::format("{} {} {}", value(step.left), word(step.operation), value(step.right));
+    const double left = steps[step.left].checked.value;
+    if (operands(step.operation) == 1) return fmt::format("{} {}", word(step.operation), short_number(left));
+    const double right = steps[step.right].checked.value;
+    const bool differ_little =
+        step.operation == Operation::add || step.operation == Operation::subtract || is_comparison(step.operation);
+    const int digits = differ_little ? digits_apart(left, right) : short_digits;
+    return fmt::format("{} {} {}", in_digits(left, digits), word(step.operation), in_digits(right, digits));
 }
 
 std::string place(const Step& step) {

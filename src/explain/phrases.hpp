@@ -10,6 +10,9 @@ namespace glassbox {
 
 // Phrases shared by all ways of showing a story.
 
+/// The number as texts for people have it, with − before it in place of the hyphen of programs and files.
+std::string with_minus(std::string number);
+
 /// The number with six digits.
 std::string short_number(double value);
 
@@ -62,7 +65,8 @@ std::string degrees(double cosine);
 /// How the difference compares with the tolerance: "under 10"; "not under 10"; "but a+b+c is 0".
 std::string tolerance_phrase(const story::TriangleTest& test);
 
-/// A step with the values of its operands: "500 − 441.716".
+/// A step with the values of its operands, "500 − 441.716": with six digits, or as many more as show that two which
+/// cancel, or are compared, differ: "254160179.3 − 254160178.9".
 std::string operation(std::span<const story::StoryStep> steps, const Step& step);
 
 /// A step's place in the source: "at core/1-rays/vec3.hpp:12".

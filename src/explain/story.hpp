@@ -154,9 +154,10 @@ struct EarlyEnd {
 struct Judgement {
     Verdict verdict = Verdict::right;
     std::optional<std::size_t> shown,
-        truth;                    ///< the nearest surface: as it was found, and truly; none if nothing is met
-    bool shown_is_there = false;  ///< the ray truly meets the surface that is shown
-    bool at_once = false;         ///< both surfaces are truly met at the same t
+        truth;                        ///< the nearest surface: as it was found, and truly; none if nothing is met
+    bool shown_is_there = false;      ///< the ray truly meets the surface that is shown
+    bool at_once = false;             ///< both surfaces are truly met at the same t
+    bool truth_needed_exact = false;  ///< bounds alone do not prove the truth; exact arithmetic does
     std::size_t wrongly_met = 0, wrongly_missed = 0;  ///< of all surfaces
     bool by_rule = false;  ///< the verdict is wrong, and the rule, computed without any rounding, says the same
     std::vector<std::string>

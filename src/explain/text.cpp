@@ -55,6 +55,14 @@ public:
         text_ += '\n';
     }
 
+    /// The same in one line, joined by `between`, or in two if that is too long, the second one under the first.
+    void line_or_two(std::string first, std::string_view between, const std::string& second, std::size_t indent) {
+        const bool fits = second.empty() || 2 + columns(first) + columns(between) + columns(second) <= most_columns;
+        if (fits) first.append(between).append(second);
+        line("{}", first);
+        if (!fits) line("{:<{}}{}", "", indent, second);
+    }
+
     std::string take() && { return std::move(text_); }
 
 private:
@@ -70,7 +78,8 @@ void tell_pixel(Page& page, const Story& story) {
     if (story.judgement && story.judgement->least) {
         const LeastSure& least = *story.judgement->least;
         const std::string culprit = lost_by(least, story);
-        page.line("margin    {}: {}{}", margin_text(least), whose(least), culprit.empty() ? "" : "; " + culprit);
+        page.line_or_two(fmt::format("margin    {}: {}", margin_in_words(least, story.options), whose(least, story)),
+                         culprit.empty() ? "" : "; ", culprit, 10);
     }
     const Options& options = story.options;
     page.line("computed  {}, steps in {}, spheres: {}, triangles: {}, stage {}", name_of(options.scalar),
@@ -198,14 +207,15 @@ void tell_losses(Page& page, const FirstHit& hit) {
     page.line("the most was lost by  {} = {}{}", operation(hit.steps, step), short_number(checked.value),
               name.empty() ? "" : fmt::format("  ({})", name));
     page.line("{:<21} {}, {}", "", own_and_inherited(checked), place(step));
-    page.line("{:<21} truly {}, computed {:.17g}", "", truth(checked), checked.value);
+    page.line("{:<21} truly {}, computed {}", "", truth(checked), with_minus(fmt::format("{:.17g}", checked.value)));
     constexpr std::size_t most_told = 4;
     const std::vector<StepNumber> worst = worst_losses(hit.steps, most_told);
     for (std::size_t i = 1; i < worst.size(); ++i) {
         const StoryStep& next = hit.steps[worst[i]];
-        page.line("{:<21} {} = {}{}: {}", i == 1 ? "then by" : "", operation(hit.steps, next.step),
-                  short_number(next.checked.value), next.name.empty() ? "" : fmt::format("  ({})", next.name),
-                  own_and_inherited(next.checked));
+        page.line_or_two(
+            fmt::format("{:<21} {} = {}{}", i == 1 ? "then by" : "", operation(hit.steps, next.step),
+                        short_number(next.checked.value), next.name.empty() ? "" : fmt::format("  ({})", next.name)),
+            ": ", own_and_inherited(next.checked), 22);
     }
 }
 

@@ -47,12 +47,13 @@ std::string right_line(const Judgement& judgement, const Options& options) {
                            exact ? "nothing was rounded" : margin_text(least) + " digits to spare", shown);
     }
     if (is_proven(options.scalar))
-        return fmt::format("right, proven in exact arithmetic: {}; bounds leave open {}", shown, left_open(least));
+        return fmt::format("right, proven in exact arithmetic: {}; error bounds alone leave open {}", shown,
+                           left_open(least));
     const std::size_t wrong = judgement.wrongly_met + judgement.wrongly_missed;
     if (wrong > 0)
         return fmt::format("right by luck, not proven: {}; {} other surface{} judged wrongly", shown, wrong,
                            wrong == 1 ? " is" : "s are");
-    return fmt::format("right, but not proven: {}; bounds leave open {}", shown, left_open(least));
+    return fmt::format("right, but not proven: {}; error bounds leave open {}", shown, left_open(least));
 }
 
 /// What made it wrong, if that can be said.
@@ -74,19 +75,22 @@ std::string cause(const Judgement& judgement, const Story& story) {
     return is_geometry(options.sphere_rule) && is_geometry(options.triangle_rule) ? "; rounding did it" : "";
 }
 
-std::string wrong_line(const Judgement& judgement) {
-    switch (judgement.verdict) {
-        case Verdict::wrong_hit:
-            return fmt::format("wrong hit: surface {} is shown, and nothing is there", *judgement.shown);
-        case Verdict::wrong_miss:
-            return fmt::format("wrong miss: nothing is shown, and surface {} is there", *judgement.truth);
-        default:
-            break;
-    }
+/// What is wrong. That is as sure as the truth is, which the reference search proves.
+std::string what_is_wrong(const Judgement& judgement) {
+    if (judgement.verdict == Verdict::wrong_hit)
+        return fmt::format("surface {} is shown, and nothing is there", *judgement.shown);
+    if (judgement.verdict == Verdict::wrong_miss)
+        return fmt::format("nothing is shown, and surface {} is there", *judgement.truth);
     if (!judgement.shown_is_there)
-        return fmt::format("wrong surface: {} is shown, and not there; {} is", *judgement.shown, *judgement.truth);
-    return fmt::format("wrong surface: {} is shown, and {} is {}", *judgement.shown, *judgement.truth,
+        return fmt::format("{} is shown, and not there; {} is", *judgement.shown, *judgement.truth);
+    return fmt::format("{} is shown, and {} is {}", *judgement.shown, *judgement.truth,
                        judgement.at_once ? "as near and listed later" : "nearer");
+}
+
+std::string wrong_line(const Judgement& judgement) {
+    return fmt::format("{}, proven {}: {}", word(judgement.verdict),
+                       judgement.truth_needed_exact ? "in exact arithmetic" : "by error bounds",
+                       what_is_wrong(judgement));
 }
 
 }  // namespace
@@ -170,10 +174,34 @@ std::string margin_text(const LeastSure& least) {
     return fmt::format("{}{:.1f}", digits < 0 ? "−" : "", std::abs(digits));
 }
 
+bool is_decided_exactly(const LeastSure& least, const Options& options) {
+    return !(least.sureness > 1) && is_proven(options.scalar);
+}
+
+std::string margin_in_words(const LeastSure& least, const Options& options) {
+    if (least.sureness > 1) return margin_text(least) + " digits to spare";
+    return margin_text(least) + (is_decided_exactly(least, options)
+                                     ? " digits by bounds alone, decided in exact arithmetic"
+                                     : " digits, undecided");
+}
+
 std::string whose(const LeastSure& least) {
     if (least.nearer_than) return fmt::format("t of surfaces {} and {}", *least.nearer_than, least.surface);
     return fmt::format("{} of surface {}", least.name, least.surface);
 }
+
+std::string among_turned(const LeastSure& least, const Story& story) {
+    if (!story.judgement || least.nearer_than || judged_wrongly(*story.judgement) != least.surface) return "";
+    const Judgement& judgement = *story.judgement;
+    const std::vector<std::string>& turned = judgement.turned;
+    if (turned.size() < 2 || judgement.by_rule || std::find(turned.begin(), turned.end(), least.name) == turned.end())
+        return "";
+    // All signs of a hit must hold, so that the least sure counts; of a miss one that is sure is enough.
+    const bool was_hit = judgement.shown == least.surface;
+    return fmt::format(", {} of {}", was_hit ? "the least sure" : "one", listed(turned));
+}
+
+std::string whose(const LeastSure& least, const Story& story) { return whose(least) + among_turned(least, story); }
 
 std::string lost_by(const LeastSure& least, const Story& story) {
     if (!least.row || !least.step) return "";

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-/// A measured value as a reader reads it: "13.2 log10", "wrong hit", "no value", "∞ (exactly 0, and known to be)".
+/// A measured value as a reader reads it: "13.2 digits", "wrong hit", "no value", "∞ (exactly 0, and known to be)".
 std::string value_in_words(const Measurement& what, double value, int digits = 6);
 
 /// The same with no more than fits into a pixel: "13.2", "wrong hit", "–", "∞".

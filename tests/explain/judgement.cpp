@@ -2,8 +2,10 @@
 #include <doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "explain/explain.hpp"
+#include "explain/phrases.hpp"
 #include "explain/verdict_phrases.hpp"
 #include "render/render.hpp"
 #include "render/search/build_engine.hpp"
@@ -40,9 +42,10 @@ double measured(const Scene& scene, const Options& options, const char* what, in
 // (399, 0) looks at (2.49, 2.49), far outside.
 TEST_CASE("the tolerance hits where nothing is, and does so without any rounding") {
     for (const Scalar scalar : {Scalar::certified, Scalar::double_, Scalar::float_})
-        CHECK(
-            line("tolerance-tiny", 399, 0, with(scalar, Tolerance{})) ==
-            "wrong hit: surface 0 is shown, and nothing is there; so says the rule tolerance:10, without any rounding");
+        CHECK(line("tolerance-tiny", 399, 0, with(scalar, Tolerance{})) ==
+              "wrong hit, proven by error bounds: surface 0 is shown, and nothing is there; so says the rule "
+              "tolerance:10, "
+              "without any rounding");
     CHECK(line("tolerance-tiny", 399, 0).starts_with("right, proven, "));
 }
 
@@ -50,8 +53,10 @@ TEST_CASE("the tolerance hits where nothing is, and does so without any rounding
 TEST_CASE("the paper's sphere rule misses what is only touched, and what is seen from inside") {
     const Options history = with(Scalar::certified, Pluecker{}, Levental2014{});
     CHECK(line("levental-2014", 400, 149, history) ==
-          "wrong miss: nothing is shown, and surface 0 is there; so says the rule levental-2014, without any rounding");
-    CHECK(line("inside", 20, 20, history).starts_with("wrong miss: nothing is shown, and surface "));
+          "wrong miss, proven in exact arithmetic: nothing is shown, and surface 0 is there; so says the rule "
+          "levental-2014, without any rounding");
+    CHECK(line("inside", 20, 20, history)
+              .starts_with("wrong miss, proven by error bounds: nothing is shown, and surface "));
     CHECK(line("levental-2014", 350, 149, history).starts_with("right, proven, "));
 }
 
@@ -89,7 +94,9 @@ TEST_CASE("what bounds leave open is proven in exact arithmetic, and the words s
     REQUIRE(story.judgement->least);
     CHECK(story.judgement->least->sureness <= 1);
     CHECK(verdict_line(story).starts_with("right, proven in exact arithmetic: surface "));
-    CHECK(verdict_line(story).find("; bounds leave ") != std::string::npos);
+    CHECK(verdict_line(story).find("; error bounds alone leave open the sign of ") != std::string::npos);
+    CHECK(margin_in_words(*story.judgement->least, story.options)
+              .ends_with(" digits by bounds alone, decided in exact arithmetic"));
     CHECK(story.judgement->least->step.has_value());
     CHECK(lost_by(*story.judgement->least, story).find(" lost ") != std::string::npos);
 }
@@ -190,6 +197,52 @@ TEST_CASE("a margin is rounded down, so that as many digits are there") {
     CHECK(margin_text(least) == "−0.7");
     least.sureness = INFINITY;
     CHECK(margin_text(least) == "∞");
+    CHECK(margin_in_words(least, with(Scalar::double_)) == "∞ digits to spare");
+    least.sureness = .2;
+    CHECK(margin_in_words(least, with(Scalar::double_)) == "−0.7 digits, undecided");
+    CHECK(margin_in_words(least, with(Scalar::certified)) ==
+          "−0.7 digits by bounds alone, decided in exact arithmetic");
+}
+
+TEST_CASE("where the line names several numbers, the least margin's is said to be one of them") {
+    Story story;
+    story.judgement = Judgement{};
+    Judgement& judgement = *story.judgement;
+    judgement.verdict = Verdict::wrong_hit;
+    judgement.shown = 55;
+    judgement.turned = {"b", "c"};
+    LeastSure least;
+    least.surface = 55;
+    least.name = "c";
+    CHECK(whose(least, story) == "c of surface 55, the least sure of b and c");
+    // A miss needs only one sign that is sure: the least margin is that of the surest of several.
+    judgement.verdict = Verdict::wrong_miss;
+    judgement.truth = std::exchange(judgement.shown, std::nullopt);
+    CHECK(whose(least, story) == "c of surface 55, one of b and c");
+    judgement.turned = {"c"};
+    CHECK(whose(least, story) == "c of surface 55");
+    judgement.turned = {"a", "b"};
+    CHECK(whose(least, story) == "c of surface 55");
+    least.surface = 7;
+    judgement.turned = {"b", "c"};
+    CHECK(whose(least, story) == "c of surface 7");
+}
+
+TEST_CASE("two numbers that cancel are shown with as many digits as they differ in") {
+    const auto shown = [](double left, Operation operation, double right) {
+        std::vector<StoryStep> steps(3);
+        steps[0].checked = unchecked(left);
+        steps[1].checked = unchecked(right);
+        steps[2].step.operation = operation;
+        steps[2].step.left = 0;
+        steps[2].step.right = 1;
+        return glassbox::operation(steps, steps[2].step);
+    };
+    CHECK(shown(1000000.25, Operation::subtract, 1000000) == "1000000.2 − 1000000");
+    CHECK(shown(254160179.25, Operation::add, -254160178.5) == "254160179 + −254160178");
+    CHECK(shown(2, Operation::add, -2) == "2 + −2");
+    CHECK(shown(1 / 3.0, Operation::multiply, 1 / 3.0) == "0.333333 × 0.333333");
+    CHECK(shown(100.00000001, Operation::greater, 100) == "100.00000001 > 100");
 }
 
 TEST_CASE("tests, nodes and boxes are those that the measurements count") {

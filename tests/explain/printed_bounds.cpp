@@ -180,6 +180,12 @@ void check_surface(const Json& surface, const Truths& truths, Tally& tally) {
             check(surface["weights"][weight], Real(truths.at(side) / truths.at("a+b+c")), tally);
 }
 
+/// A number of a text as programs read it.
+std::string with_hyphen(const std::string& number) {
+    const std::string minus = "−";
+    return number.starts_with(minus) ? '-' + number.substr(minus.size()) : number;
+}
+
 /// Checks the text line by line: each number with its bound against the truth of that name.
 void check_text(const std::string& text, std::map<std::size_t, Truths>& surfaces, const Truths& hit, Tally& tally) {
     const std::regex surface_row("^ +([0-9]+)  (sphere about|A =).*");
@@ -197,7 +203,8 @@ void check_text(const std::string& text, std::map<std::size_t, Truths>& surfaces
         auto left = std::distance(std::sregex_iterator(line.begin(), line.end(), any_bound), std::sregex_iterator());
         for (std::sregex_iterator found(line.begin(), line.end(), bounded); found != std::sregex_iterator(); ++found) {
             --left;
-            const std::string name = (*found)[1], printed = (*found)[2], its_bound = (*found)[3], bound = (*found)[4];
+            const std::string name = (*found)[1], printed = with_hyphen((*found)[2]), its_bound = (*found)[3],
+                              bound = (*found)[4];
             if (its_bound == "± unknown") continue;
             REQUIRE(truths != nullptr);
             REQUIRE(truths->contains(name));

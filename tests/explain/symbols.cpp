@@ -96,7 +96,7 @@ TEST_CASE("parentheses stand where a formula would mean something else without t
     CHECK(steps.at(steps.times(sum, c)).formula == "(a + b) × c");
 
     // Numbers: those below 0 begin with a sign.
-    CHECK(steps.written(steps.times(steps.constant(-2), c)) == "(-2) c");
+    CHECK(steps.written(steps.times(steps.constant(-2), c)) == "(−2) c");
     CHECK(steps.written(steps.times(steps.constant(2), c)) == "2 c");
 
     // Names are read, too: "n·l" is a product, "a+b+c" a sum, "(A − P)" needs no more parentheses.

@@ -61,10 +61,11 @@ TEST_CASE("a sphere that the paper's program misses") {
     Options options;
     options.sphere_rule = Levental2014{};
     check_has(text("levental-2014.toml", 400, 149, options),
-              {"✗ wrong miss: nothing is shown, and surface 0 is there;\n  so says the rule levental-2014",
+              {"✗ wrong miss, proven in exact arithmetic: nothing is shown, and surface 0 is there;\n  so says the "
+               "rule levental-2014",
                "    0 ✗ sphere", "wrong: truly met, nearest", "spheres: levental-2014",
                "missed: Δ = 0, a touch, no hit by levental-2014", "nothing is met"});
-    check_has(text("inside.toml", 20, 20, options), {"missed: its nearer root lies behind, t = -"});
+    check_has(text("inside.toml", 20, 20, options), {"missed: its nearer root lies behind, t = −"});
 }
 
 TEST_CASE("a triangle's pixel, seen through a corner") {

@@ -40,7 +40,7 @@ TEST_CASE("a verdict is a word") {
 TEST_CASE("an infinite margin says what it means; a number has its unit") {
     CHECK(value_in_words(named("margin"), infinity) == "∞ (exactly 0, and known to be)");
     CHECK(value_in_words(named("margin"), -infinity) == "−∞ (computed as 0, or too large: nothing is known)");
-    CHECK(value_in_words(named("margin"), 13.25) == "13.25 log10");
+    CHECK(value_in_words(named("margin"), 13.25) == "13.25 digits");
     CHECK(value_in_short(named("margin"), -infinity) == "−∞");
     CHECK(value_in_short(named("margin"), no_value) == "–");
     CHECK(value_in_words(named("deficit"), -infinity) == "−∞ (a difference of 0: all signs agree)");

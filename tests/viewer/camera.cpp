@@ -227,15 +227,18 @@ TEST_CASE("hits are numbered along the ray, and dashed lines go on behind the fi
     CHECK(ray[1].dashed);
     CHECK(length(ray[1].to - drawing.sight.center) > 2 * drawing.sight.radius);
     // At the hit: the normal of the near sphere looks back along the ray, the light is unit(1000, 250, 250).
-    bool normal_seen = false, light_seen = false;
+    // The viewer is where the ray comes from.
+    bool normal_seen = false, light_seen = false, viewer_seen = false;
     for (const ArrowInSpace& arrow : drawing.arrows) {
         check_equal(arrow.from, {250, 250, 250});
         if (std::string_view(arrow.name) == "n") check_equal(arrow.direction, {1, 0, 0}), normal_seen = true;
+        if (std::string_view(arrow.name) == "r") check_equal(arrow.direction, {1, 0, 0}), viewer_seen = true;
         if (std::string_view(arrow.name) == "l")
             check_equal(arrow.direction, unit(Vec3<double>{1000, 250, 250})), light_seen = true;
     }
     CHECK(normal_seen);
     CHECK(light_seen);
+    CHECK(viewer_seen);
 }
 
 TEST_CASE("what is under the mouse is the surface or the picture that is nearest there") {
@@ -363,4 +366,24 @@ TEST_CASE("large triangles are cut into parts that cover them exactly") {
     }
     CHECK(covered == doctest::Approx(60000));
     CHECK(rim == doctest::Approx(1200));
+}
+
+// A strip of n unit squares, each of two triangles: n + 1 sides across, n diagonals, 2n along.
+TEST_CASE("of many triangles an edge that two share is drawn once, of few with each") {
+    const auto edges = [](int squares) {
+        Scene scene;
+        for (int i = 0; i < squares; ++i) {
+            const double y = i;
+            scene.triangles.push_back({{{{0, y, 0}, {0, y + 1, 0}, {0, y, 1}}}, {1, 2, 3}});
+            scene.triangles.push_back({{{{0, y + 1, 1}, {0, y, 1}, {0, y + 1, 0}}}, {1, 2, 3}});
+        }
+        double sum = 0;
+        for (const SurfacesInSpace::Part& part : surfaces_in_space(scene, 5).parts)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (part.on_its_edge[i]) sum += length(part.corners[(i + 1) % 3] - part.corners[i]);
+        return sum;
+    };
+    const double diagonal = std::sqrt(2.0);
+    CHECK(edges(10) == doctest::Approx(10 * 2 * (2 + diagonal)));
+    CHECK(edges(150) == doctest::Approx(151 + 150 * diagonal + 2 * 150));
 }

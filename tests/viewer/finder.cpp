@@ -10,6 +10,7 @@
 
 #include "viewer/model/overlay/enlarged.hpp"
 #include "viewer/model/overlay/laid_over.hpp"
+#include "viewer/model/overlay/surfaces_in_picture.hpp"
 
 using namespace glassbox;
 
@@ -187,4 +188,16 @@ TEST_CASE("enlarged: as a loop over all pixels draws them, at corners and edges,
                 CHECK(drawn[index(x, y)] == expected);
             }
     }
+}
+
+// Surface 7 is seen in an L of three pixels:   7 7 .
+//                                              7 . .
+TEST_CASE("an outline goes around the pixels of a surface, straight as long as it can") {
+    const Channel numbers = three_wide({7, 7, 2, 7, no_value, 2});
+    const std::vector<PixelBorder> borders = outline(numbers, 7);
+    const std::vector<PixelBorder> expected{{{0, 0}, {2, 0}}, {{1, 1}, {2, 1}}, {{0, 2}, {1, 2}},
+                                            {{0, 0}, {0, 2}}, {{1, 1}, {1, 2}}, {{2, 0}, {2, 1}}};
+    CHECK(borders == expected);
+    CHECK(outline(numbers, 5).empty());
+    CHECK(outline(three_wide({}), 7).empty());
 }

@@ -114,7 +114,7 @@ TEST_CASE("a face of the tetrahedron") {
     // The first condition not to hold is the green sphere's: l² = 20² + 240² = 58000, Δ = 2500 − 58000. Then its
     // verdict. Nothing has failed: both are true.
     const std::size_t no = stepped(events, 0, StepTo::next_no);
-    CHECK(events[no].what == "-55500 ≥ 0");
+    CHECK(events[no].what == "−55500 ≥ 0");
     CHECK(stepped(events, no, StepTo::next_no) == no + 1);
     CHECK(events[no + 1].what.starts_with("surface 0: missed"));
     CHECK(stepped(events, 0, StepTo::next_failed) == 0);

@@ -55,7 +55,7 @@ TEST_CASE("the line is explain's, and the tiles have its numbers") {
     CHECK(pinned.words(TileKind::cosines, true) == std::vector<std::string>{"n·l 19.5°", "n·r 0.0°", "n·h 19.5°"});
     const std::vector<std::string> margin = pinned.words(TileKind::margin);
     REQUIRE(margin.size() == 3);
-    CHECK(margin[0].ends_with(" digits"));
+    CHECK(margin[0].ends_with(" digits to spare"));
     CHECK(margin[1].find(" of surface ") != std::string::npos);
 }
 
@@ -84,7 +84,21 @@ TEST_CASE("a wrong hit is told as one") {
     options.triangle_rule = Tolerance{};
     const Pinned pinned("tolerance-tiny.toml", 399, 0, options);
     CHECK(pinned.seen().mark == story::Mark::wrong);
-    CHECK(pinned.seen().line.starts_with("wrong hit: surface 0 is shown, and nothing is there"));
+    CHECK(
+        pinned.seen().line.starts_with("wrong hit, proven by error bounds: surface 0 is shown, and nothing is there"));
+}
+
+// Surfaces 8 and 9 of edges.toml share an edge that pixel (120, 8) looks at, a hair off.
+TEST_CASE("the tile says which means decided, as the line does") {
+    const Pinned certified("edges.toml", 120, 8);
+    CHECK(certified.seen().line.find("proven in exact arithmetic") != std::string::npos);
+    const std::vector<std::string> words = certified.words(TileKind::margin);
+    REQUIRE(words.size() > 2);
+    CHECK(words[0].ends_with(" digits by bounds alone"));
+    CHECK(words[1] == "decided in exact arithmetic");
+    Options options;
+    options.scalar = Scalar::double_;
+    CHECK(Pinned("edges.toml", 120, 8, options).words(TileKind::margin).at(0).ends_with(" digits: undecided"));
 }
 
 TEST_CASE("without a pixel the line says what to do, and keys lay overlays only") {

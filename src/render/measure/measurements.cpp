@@ -113,7 +113,8 @@ constexpr Measurement all[] = {
     between(-4, 16,
             worst<Worst::least, Alarm::below_0>(needing<&Needs::triangles>(with_infinities(
                 "computed as 0, or too large: nothing is known", "exactly 0, and known to be",
-                number("margin", "log10", "the deciding side product over its error bound: below 0 it decides nothing",
+                number("margin", "digits",
+                       "log10 of the deciding side product over its error bound: below 0 it decides nothing",
                        Scale::danger, Source::sides, read<&T::margin>))))),
     worst<Worst::greatest, Alarm::above_0>(
         number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", Scale::alarm,

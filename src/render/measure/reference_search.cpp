@@ -36,6 +36,7 @@ public:
             if (!possibly(crossing.met)) return;
             std::optional<TrueT> t;
             if (!surely(crossing.met)) {
+                needed_exact_ = true;
                 t = exact_crossing(ray_, shape, rule_for(shape));
                 if (!t) return;
             }
@@ -54,6 +55,7 @@ public:
 
     const std::vector<std::size_t>& met() const { return met_; }
     const std::optional<Met>& nearest() const { return nearest_; }
+    bool needed_exact() const { return needed_exact_; }
 
     TrueT exact_t(const Met& met) const {
         if (met.exact) return *met.exact;
@@ -63,9 +65,10 @@ public:
 
 private:
     /// Whether the ray meets `one` before `other`.
-    bool is_before(const Met& one, const Met& other) const {
+    bool is_before(const Met& one, const Met& other) {
         if (surely(one.t < other.t)) return true;
         if (surely(one.t > other.t)) return false;
+        needed_exact_ = true;
         const int order = compare(exact_t(one), exact_t(other));
         return order != 0 ? order < 0 : one.surface > other.surface;
     }
@@ -75,6 +78,7 @@ private:
     Ray<Bounded> bounded_;
     std::optional<Met> nearest_;
     std::vector<std::size_t> met_;
+    bool needed_exact_ = false;
 };
 
 /// How many bits a t found in that scalar has lost.
@@ -124,7 +128,7 @@ void ReferenceSearch::for_each_tested(const Ray<double>& ray, engine::FunctionRe
 TrueHits ReferenceSearch::hits(const Ray<double>& ray) const {
     if (!is_valid(ray)) return {};
     const ExhaustiveSearch search = searched(*this, *engine_, ray);
-    TrueHits result{search.met(), {}};
+    TrueHits result{search.met(), {}, search.needed_exact()};
     std::sort(result.met.begin(), result.met.end());
     if (search.nearest()) result.nearest = search.nearest()->surface;
     return result;

@@ -20,6 +20,7 @@ Verdict verdict(const std::optional<std::size_t>& found, const std::optional<std
 struct TrueHits {
     std::vector<std::size_t> met;        ///< all, in the order of their numbers
     std::optional<std::size_t> nearest;  ///< none if the ray meets nothing
+    bool needed_exact = false;           ///< bounds left open a sign or an order, which exact arithmetic decided
 
     bool has(std::size_t surface) const;
 };

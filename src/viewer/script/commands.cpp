@@ -18,6 +18,7 @@
 #include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/model/space/camera.hpp"
 #include "viewer/model/state/keys.hpp"
+#include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
 #include "viewer/model/story/steps_now.hpp"
@@ -326,6 +327,12 @@ const Syntax all_commands[] = {
     {"zoom", "zoom Z [X,Y] | fit", 1, 2, zoom},
     {"orbit", "orbit AZIMUTH,ELEVATION[,DISTANCE]", 1, 1, orbit},
     {"boxes", "boxes LEVEL | off", 1, 1, boxes},
+    {"tour", "tour STOP | off", 1, 1,
+     [](const Words& w) {
+         if (w[1] == "off") return change([](ViewerState& state) { leave_tour(state); });
+         const int stop = whole_number("tour", w[1], 1, static_cast<int>(tour().size()));
+         return change([stop](ViewerState& state) { go_to_stop(state, static_cast<std::size_t>(stop) - 1); });
+     }},
     {"key", "key LABEL", 1, 2, key},
     {"wait", "wait [SECONDS]", 0, 1,
      [](const Words& w) -> Command { return Wait{w.size() > 1 ? number("wait", w[1], 0, 3600) : 0}; }},

@@ -9,6 +9,7 @@
 #include "viewer/model/state/first_pin.hpp"
 #include "viewer/model/state/keys.hpp"
 #include "viewer/model/state/playing.hpp"
+#include "viewer/model/state/tour.hpp"
 #include "viewer/model/story/cursor.hpp"
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
@@ -54,8 +55,20 @@ constexpr PageTab pages[] = {
     {Page::mine, "Mine", draw_mine},
 };
 
+/// Whether another page is shown than in the last frame, or steps in text of another size.
+bool must_come_in_sight(Page page) {
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    // A reference holds until the next one is asked for.
+    float* const size = storage->GetFloatRef(ImGui::GetID("text size"), ImGui::GetFontSize());
+    const bool other_size = std::exchange(*size, ImGui::GetFontSize()) != ImGui::GetFontSize();
+    int* const shown = storage->GetIntRef(ImGui::GetID("page"), static_cast<int>(page));
+    const bool other_page = std::exchange(*shown, static_cast<int>(page)) != static_cast<int>(page);
+    return other_page || (other_size && page == Page::steps);
+}
+
 void draw_pages(const Frame& frame) {
     static_assert(std::size(pages) == 5);
+    const float top = ImGui::GetCursorScreenPos().y;
     // Dear ImGui's own tab bar cuts titles that do not fit into one line.
     for (const PageTab& tab : pages) {
         if (&tab != pages) flow(tab.title, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -64,12 +77,17 @@ void draw_pages(const Frame& frame) {
     ImGui::Separator();
     for (const PageTab& tab : pages) {
         if (frame.state.page != tab.page) continue;
-        // Where the text is large and the window small, all that is on the right scrolls.
+        // Where the text is large and the window small, all that is on the right scrolls: then the page is as high as
+        // what is left when the line and the tiles are scrolled away, and if that is little, when the tabs are, too.
         constexpr float least_lines = 12;
-        begin_part(tab.title, {0, std::max(ImGui::GetContentRegionAvail().y, least_lines * ImGui::GetFontSize())});
+        const float room = ImGui::GetContentRegionAvail().y, line = ImGui::GetFontSize();
+        const float all = ImGui::GetWindowHeight(), below_tabs = all - (ImGui::GetCursorScreenPos().y - top);
+        const bool scrolls = room < least_lines * line;
+        begin_part(tab.title, {0, scrolls ? std::max(below_tabs, std::min(all, least_lines * line)) : room});
         if (frame.state.keys_work_buttons) take_keyboard();
         tab.draw(frame);
         ImGui::EndChild();
+        if (must_come_in_sight(tab.page) && scrolls) ImGui::SetScrollHereY(1);
     }
 }
 
@@ -97,6 +115,7 @@ double Interface::draw(const Input& input) {
     watch_files();
     const double seconds = std::clamp(input.time - std::exchange(last_time_, input.time), 0.0, 0.25);
     advance(state_, results_, seconds);
+    begin_pointing(state_);
     background_.update(state_, results_);
     pin_at_first(state_, results_);
     follow_story(state_, results_);
@@ -109,7 +128,7 @@ double Interface::draw(const Input& input) {
         boxes_.update(state_, results_);
     }
     fly_on(state_, space_.drawing().near, seconds);
-    lay_out({state_, results_, pictures_, space_, boxes_, fonts_, palette_, thumbnails_, seconds});
+    lay_out({state_, results_, pictures_, space_, boxes_, inspector_, fonts_, palette_, thumbnails_, seconds});
     // Update again, so that what this frame's clicks request starts at once.
     background_.update(state_, results_);
     hand_over();
@@ -139,7 +158,6 @@ void Interface::watch_files() {
 }
 
 void Interface::lay_out(const Frame& frame) {
-    begin_pointing(state_);
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport->WorkPos);
     ImGui::SetNextWindowSize(viewport->WorkSize);
@@ -188,6 +206,7 @@ void Interface::lay_out(const Frame& frame) {
     ImGui::PopStyleVar();
     const Area side = from_here({right, body.y});
     begin_part("side", {right, body.y});
+    if (state_.tour && tour()[*state_.tour].part == WindowPart::truth) ImGui::SetScrollY(0);
     draw_truth(frame);
     const float pages_top = ImGui::GetCursorScreenPos().y;
     places.truth = {side.from, {side.to.x, pages_top}};

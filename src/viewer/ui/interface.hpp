@@ -43,6 +43,7 @@ private:
     Pictures pictures_;
     Space space_;
     Boxes boxes_;
+    InspectorParts inspector_;
     ThumbnailTextures thumbnails_;
     Fonts fonts_;
     Palette palette_{};

@@ -3,6 +3,7 @@
 #include "viewer/model/space/boxes_in_space.hpp"
 #include "viewer/model/space/space.hpp"
 #include "viewer/model/state/state.hpp"
+#include "viewer/model/story/inspector.hpp"
 #include "viewer/model/work/results.hpp"
 #include "viewer/platform/fonts.hpp"
 #include "viewer/ui/frame/thumbnail_textures.hpp"
@@ -18,6 +19,7 @@ struct Frame {
     const Pictures& pictures;
     const Space& space;
     const Boxes& boxes;
+    InspectorParts& inspector;  ///< kept by its page
     const Fonts& fonts;
     const Palette& palette;
     const ThumbnailTextures& thumbnails;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <type_traits>
 
 #include <probe.hpp>
@@ -149,11 +150,30 @@ void split(std::vector<SurfacesInSpace::Part>& parts, SurfacesInSpace::Part part
           longest, depth - 1);
 }
 
+/// Tells whether an edge is new, whichever way it runs: of many triangles, an edge that two share is drawn once.
+class Edges {
+public:
+    explicit Edges(std::size_t triangles) : are_many_(triangles > 200) {}
+
+    bool is_new(const Vec3<double>& from, const Vec3<double>& to) {
+        if (!are_many_ || !is_finite(from) || !is_finite(to)) return true;
+        const std::array a{from.x, from.y, from.z}, b{to.x, to.y, to.z};
+        return seen_.insert(std::minmax(a, b)).second;
+    }
+
+private:
+    using Point = std::array<double, 3>;
+    bool are_many_;
+    std::set<std::pair<Point, Point>> seen_;
+};
+
 void split_triangles(SurfacesInSpace& result) {
     constexpr int most_halvings = 9;
+    Edges edges(result.shown.triangles.size());
     for (std::uint32_t i = 0; i < result.shown.triangles.size(); ++i) {
         const auto& [A, B, C] = result.shown.triangles[i];
-        split(result.parts, {{A, B, C}, i, {true, true, true}}, result.sight.radius / 6, most_halvings);
+        split(result.parts, {{A, B, C}, i, {edges.is_new(A, B), edges.is_new(B, C), edges.is_new(C, A)}},
+              result.sight.radius / 6, most_halvings);
     }
 }
 
@@ -293,6 +313,7 @@ void draw_hit(Drawer& drawer, const Story& story) {
         // As shade() turns it.
         if (hit.shade->model != ShadingModel::levental_2014) n = towards(values(hit.shade->r), n);
         drawer.arrow(point, values(hit.shade->l), Ink::light, "l");
+        drawer.arrow(point, values(hit.shade->r), Ink::viewer, "r");
         drawer.arrow(point, values(hit.shade->h), Ink::half_vector,
                      hit.shade->model == ShadingModel::phong ? "reflection" : "h");
     }

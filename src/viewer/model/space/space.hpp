@@ -16,7 +16,7 @@ namespace glassbox {
 // What the space view shows, in the world's coordinates. The ui room projects and draws it.
 
 /// The meanings of colours in space.
-enum class Ink { plain, faint, pinned, second, light, half_vector, a, b, c };
+enum class Ink { plain, faint, pinned, second, light, viewer, half_vector, a, b, c };
 
 /// The surfaces that are drawn: all, or of very many triangles fewer and larger ones, or a sample.
 struct SurfacesInSpace {
@@ -32,7 +32,7 @@ struct SurfacesInSpace {
     struct Part {
         std::array<Vec3<double>, 3> corners;
         std::uint32_t triangle;           ///< an index into `shown.triangles`
-        std::array<bool, 3> on_its_edge;  ///< whether corner i to i + 1 lies on the triangle's own edge
+        std::array<bool, 3> on_its_edge;  ///< whether corner i to i + 1 lies on an edge that is drawn with the triangle
     };
     std::vector<Part> parts;
 

@@ -38,26 +38,26 @@ constexpr TourStop stops[] = {
      "scenes, ? all keys, and Tour this tour."},
 };
 
-void go_to(ViewerState& state, std::size_t stop) {
+}  // namespace
+
+std::span<const TourStop> tour() { return stops; }
+
+void go_to_stop(ViewerState& state, std::size_t stop) {
     state.tour = stop;
     if (stops[stop].page) state.page = *stops[stop].page;
     if (stops[stop].part == WindowPart::space) state.space_shown = true;
 }
 
-}  // namespace
-
-std::span<const TourStop> tour() { return stops; }
-
-void begin_tour(ViewerState& state) { go_to(state, 0); }
+void begin_tour(ViewerState& state) { go_to_stop(state, 0); }
 
 void go_on_tour(ViewerState& state) {
     if (!state.tour) return;
-    if (*state.tour + 1 < std::size(stops)) go_to(state, *state.tour + 1);
+    if (*state.tour + 1 < std::size(stops)) go_to_stop(state, *state.tour + 1);
     else leave_tour(state);
 }
 
 void go_back_on_tour(ViewerState& state) {
-    if (state.tour && *state.tour > 0) go_to(state, *state.tour - 1);
+    if (state.tour && *state.tour > 0) go_to_stop(state, *state.tour - 1);
 }
 
 void leave_tour(ViewerState& state) { state.tour.reset(); }

@@ -26,6 +26,7 @@ std::span<const TourStop> tour();
 void begin_tour(ViewerState& state);
 void go_on_tour(ViewerState& state);
 void go_back_on_tour(ViewerState& state);
+void go_to_stop(ViewerState& state, std::size_t stop);  ///< counted from 0
 void leave_tour(ViewerState& state);
 
 }  // namespace glassbox

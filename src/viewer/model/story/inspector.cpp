@@ -22,13 +22,13 @@ namespace {
 using namespace story;
 using Numbers = std::vector<InspectedNumber>;
 
-/// As in explain's JSON, but 500 instead of 500.0.
+/// As in explain's JSON, but 500 instead of 500.0, and with − for its hyphen.
 std::string all_digits(double value) {
     if (std::isnan(value)) return "not a number";
     if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
     std::string text = nlohmann::json(value).dump();
     if (text.ends_with(".0")) text.resize(text.size() - 2);
-    return text;
+    return with_minus(std::move(text));
 }
 
 InspectedNumber plain(std::string path, double value) { return {std::move(path), value, {}, false}; }
@@ -112,23 +112,38 @@ InspectorPart truth_part(const Story& story) {
     if (!story.judgement) return truth;
     const Judgement& judgement = *story.judgement;
     truth.rows.push_back(row("truly nearest", counts_of({{"/truth/surface", judgement.truth}}),
-                             judgement.truth ? "by a search that shares nothing with this one" : "nothing is there"));
-    truth.rows.push_back(row(
-        "wrongly",
-        counts_of({{"/truth/wrongly_met", judgement.wrongly_met}, {"/truth/wrongly_missed", judgement.wrongly_missed}}),
-        "met, and missed, of all surfaces"));
+                             fmt::format("{}by a search that shares nothing with this one; proven {}",
+                                         judgement.truth ? "" : "nothing is there, ",
+                                         judgement.truth_needed_exact ? "in exact arithmetic" : "by error bounds")));
+    const auto judged_otherwise = [&](const char* label, const char* path, std::size_t surfaces, const char* what) {
+        truth.rows.push_back(row(label, {count(path, static_cast<double>(surfaces))},
+                                 fmt::format("{} {}", surfaces == 1 ? "surface is" : "surfaces are", what)));
+    };
+    judged_otherwise("wrongly met", "/truth/wrongly_met", judgement.wrongly_met, "said to be met, and truly missed");
+    judged_otherwise("wrongly missed", "/truth/wrongly_missed", judgement.wrongly_missed,
+                     "said to be missed, and truly met");
     if (!judgement.least) return truth;
     const LeastSure& least = *judgement.least;
-    truth.rows.push_back(row("margin", {plain("/least_sure/margin", margin(least))},
-                             fmt::format("{}; log10 of |it| over its bound", whose(least))));
-    truth.rows.push_back(row(
-        "surface", counts_of({{"/least_sure/surface", least.surface}, {"/least_sure/nearer_than", least.nearer_than}}),
-        least.nearer_than ? "whose t are compared" : "whose number it is"));
-    truth.rows.push_back(row("its step", counts_of({{"/least_sure/row", least.row}, {"/least_sure/step", least.step}}),
-                             "row, and step of it"));
-    Numbers loss = counts_of({{"/least_sure/worst_step", least.worst}});
-    loss.push_back(plain("/least_sure/worst_bits", least.worst_loss));
-    truth.rows.push_back(row("lost", std::move(loss), lost_by(least, story)));
+    const char* const decided = least.sureness > 1                         ? "to spare"
+                                : is_decided_exactly(least, story.options) ? "by bounds alone; exact arithmetic decided"
+                                                                           : "and undecided";
+    truth.rows.push_back(row("least margin", {plain("/least_sure/margin", margin(least))},
+                             fmt::format("digits {}: {}", decided, whose(least, story))));
+    truth.rows.push_back(
+        row("of surface",
+            counts_of({{"/least_sure/surface", least.surface}, {"/least_sure/nearer_than", least.nearer_than}}),
+            least.nearer_than ? "the two whose t are compared" : "the one whose number it is"));
+    if (least.row)
+        truth.rows.push_back(row("listed as", counts_of({{"/least_sure/row", least.row}}),
+                                 "its place among the surfaces below, counted from 0"));
+    if (least.step)
+        truth.rows.push_back(
+            row("made by step", counts_of({{"/least_sure/step", least.step}}), "of its surface's test"));
+    if (least.worst)
+        truth.rows.push_back(row("worst step", counts_of({{"/least_sure/worst_step", least.worst}}),
+                                 "of those that lead to it, the one that lost the most bits itself"));
+    truth.rows.push_back(
+        row("bits it lost", {plain("/least_sure/worst_bits", least.worst_loss)}, lost_by(least, story)));
     return truth;
 }
 
@@ -262,14 +277,15 @@ InspectorPart light_part(const Story& story, const Shade& shade) {
     const bool cut = shade.model == ShadingModel::levental_2014;
     InspectorPart light = part("The light", fmt::format("shading by {}", name_of(shade.model)));
     light.drawing = Diagram::angles;
-    const auto cosine = [&](const char* label, const char* name, const Number& number) {
+    const auto cosine = [&](const char* label, const char* name, const Number& number, const char* words) {
         InspectorRow result = barred(label, path + name, number, false);
-        result.note = fmt::format("{}, {}", degrees(number.value), result.note);
+        result.note = fmt::format("{}: {}, {}", words, degrees(number.value), result.note);
         light.rows.push_back(std::move(result));
     };
-    cosine("n·l", "/n_l", shade.n_l);
-    cosine("n·r", "/n_r", shade.n_r);
-    cosine(phong ? "r·m" : "n·h", phong ? "/r_m" : "/n_h", shade.highlight);
+    cosine("n·l", "/n_l", shade.n_l, "normal · light");
+    cosine("n·r", "/n_r", shade.n_r, "normal · viewer");
+    cosine(phong ? "r·m" : "n·h", phong ? "/r_m" : "/n_h", shade.highlight,
+           phong ? "viewer · mirrored light" : "normal · half vector");
     light.rows.push_back(row("L", path + "/L", shade.L, "towards the light, as given"));
     light.rows.push_back(row("l", path + "/l", shade.l, "the same, of length 1"));
     light.rows.push_back(row("r", path + "/r", shade.r, "towards the viewer, of length 1"));

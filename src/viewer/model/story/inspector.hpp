@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,30 @@ struct InspectorPart {
 
 /// All that the inspector shows, in the order of `glassbox explain`.
 std::vector<InspectorPart> inspector(const Story& story);
+
+/// The parts of both pinned pixels' stories, kept between frames for as long as they are shown.
+class InspectorParts {
+public:
+    void update(const std::shared_ptr<const Story>& first, const std::shared_ptr<const Story>& second) {
+        first_.update(first);
+        second_.update(second);
+    }
+    const std::vector<InspectorPart>& first() const { return first_.parts; }
+    const std::vector<InspectorPart>& second() const { return second_.parts; }
+
+private:
+    struct Kept {
+        std::shared_ptr<const Story> story = nullptr;
+        std::vector<InspectorPart> parts = {};
+
+        void update(const std::shared_ptr<const Story>& now) {
+            if (story == now) return;
+            story = now;
+            parts = now ? inspector(*now) : std::vector<InspectorPart>();
+        }
+    };
+    Kept first_, second_;
+};
 
 /// Returns the number's value as it is written alone.
 std::string written(const InspectedNumber& number, NumberForm form);

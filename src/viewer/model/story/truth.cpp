@@ -35,17 +35,19 @@ std::array<Tile, 3> empty_tiles() {
              .step = {},
              .key = "l",
              .tip =
-                 "The normal's angles with the light, the viewer and the half vector. Opens that step and the overlay "
-                 "n.l (l)"},
+                 "Cosines of the angles between unit vectors at the hit. n·l: normal · light, how directly the light "
+                 "falls in; n·r: normal · viewer; n·h: normal · half vector, which makes the highlight. Opens the step "
+                 "of n·l and the overlay n.l (l)"},
         Tile{.title = "least margin",
              .lines = {},
              .brief = {},
              .overlay = "margin",
              .step = {},
              .key = "y",
-             .tip = "The least sure sign of those that decide what is shown: how many digits it is beyond its error "
-                    "bound. Opens its step and the overlay margin, which is of side products alone, of all triangles "
-                    "tested (y)"}};
+             .tip = "The least sure sign of those that decide what is shown. With 3 digits to spare its number is 10³ "
+                    "times as large as its error bound; below 0 digits it is smaller, and bounds alone do not tell "
+                    "its sign. Opens its step and the overlay margin, which is of side products alone, of all "
+                    "triangles tested (y)"}};
 }
 
 std::optional<std::size_t> event_where(Events events, const auto& is_wanted) {
@@ -74,7 +76,9 @@ void fill_cosines(Tile& tile, const Story& story, Events events) {
     const Shade& shade = *story.hit->shade;
     const bool phong = shade.model == ShadingModel::phong;
     const auto add = [&](const char* name, const Number& cosine, About about) {
-        tile.lines.push_back({fmt::format("{} {}  {:.3f}", name, degrees(cosine.value), cosine.value), about});
+        tile.lines.push_back(
+            {fmt::format("{} {}  {}", name, degrees(cosine.value), with_minus(fmt::format("{:.3f}", cosine.value))),
+             about});
         tile.brief.push_back({fmt::format("{} {}", name, degrees(cosine.value)), about});
     };
     add("n·l", shade.n_l, About::n_l);
@@ -95,13 +99,20 @@ void fill_margin(Tile& tile, const Story& story, Events events) {
         return;
     }
     const LeastSure& least = *story.judgement->least;
-    const bool proven = least.sureness > 1;
-    const std::string digits = margin_text(least);
-    tile.lines = {{proven ? digits + " digits" : digits + ": undecided", proven ? About::number : About::danger},
-                  {whose(least), About::number}};
-    tile.brief = {{proven ? digits : digits + ": undecided", proven ? About::number : About::danger},
-                  {least.nearer_than ? fmt::format("t: {}, {}", *least.nearer_than, least.surface)
-                                     : fmt::format("{} of {}", least.name, least.surface)}};
+    const bool proven = least.sureness > 1, decided = is_decided_exactly(least, story.options);
+    const std::string digits = margin_text(least) + " digits";
+    const About about = proven || decided ? About::number : About::danger;
+    tile.lines = {{digits + (proven ? " to spare" : decided ? " by bounds alone" : ": undecided"), about}};
+    if (!proven && decided) tile.lines.push_back({"decided in exact arithmetic", About::words});
+    tile.lines.push_back({whose(least, story), About::number});
+    tile.brief = {{digits + (proven    ? ""
+                             : decided ? "; decided exactly"
+                                       : ": undecided"),
+                   about},
+                  {(least.nearer_than ? fmt::format("t: {}, {}", *least.nearer_than, least.surface)
+                                      : fmt::format("{} of {}", least.name, least.surface)) +
+                       among_turned(least, story),
+                   About::number}};
     if (const std::string culprit = lost_by(least, story); !culprit.empty()) {
         tile.lines.push_back({culprit, About::words});
         tile.brief.push_back({culprit, About::words});
@@ -131,7 +142,9 @@ TruthInSight truth_in_sight(const ViewerState& state, const Results& results) {
         seen.line = state.pinned ? "checking this pixel …" : "Click a pixel: is it right, and how sure is that?";
         seen.short_line = seen.line;
         search.lines = search.brief = {{"surfaces", About::words}};
-        cosines.lines = {{"n·l", About::n_l}, {"n·r", About::n_r}, {"n·h", About::n_h}};
+        cosines.lines = {{"n·l: normal · light", About::n_l},
+                         {"n·r: normal · viewer", About::n_r},
+                         {"n·h: normal · half", About::n_h}};
         cosines.brief = {{"n·l n·r n·h", About::words}};
         margins.lines = margins.brief = {{"digits to spare", About::words}};
         return seen;

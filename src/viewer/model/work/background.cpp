@@ -6,6 +6,7 @@
 #include "viewer/model/work/pixel_task.hpp"
 #include "viewer/model/work/save_task.hpp"
 #include "viewer/model/work/steps_task.hpp"
+#include "viewer/model/work/surfaces_task.hpp"
 #include "viewer/model/work/tests_task.hpp"
 #include "viewer/model/work/thumbnail_task.hpp"
 #include "viewer/model/work/worker.hpp"
@@ -17,7 +18,7 @@ struct Background::Work {
     explicit Work(const std::function<void()>& wake) : workers(wake) {}
 
     Workers<RenderPicture, RenderOther, DrawMine, StepMine, TestMine, MeasureOverlay, ExplainPinned, ExplainCompared,
-            CountBoxes, SaveFile, DrawThumbnails>
+            CountBoxes, FindSurfaces, SaveFile, DrawThumbnails>
         workers;
 };
 

@@ -21,6 +21,7 @@
 namespace glassbox {
 
 struct BoxLevels;
+struct SurfacesInPicture;
 
 /// The steps of a pixel.
 struct Steps {
@@ -63,15 +64,16 @@ struct Results : Steps {
     /// The state of the learner's picture; null if it is not shown, or nothing is known yet. While it has no drawing of
     /// its own, `other` is the last drawing; otherwise `other` is that drawing.
     std::shared_ptr<const learn::mine::PictureUpdate> mine;
-    std::shared_ptr<const learn::ToldTests> tests;    ///< of the learner's code; null: they do not run
-    std::shared_ptr<const MeasuredChannels> overlay;  ///< null: none
-    MineSteps mine_steps;                             ///< of the pinned pixel; without a story: not computed, or none
-    std::shared_ptr<const Story> compared;            ///< of the second pinned pixel; null: none
-    std::shared_ptr<const BoxLevels> boxes;           ///< the engine's hierarchy; null: not drawn, or not there yet
-    std::shared_ptr<const Thumbnails> thumbnails;     ///< of the scenes that are listed; null: none yet
-    Saved saved;                                      ///< how the last file's writing ended
+    std::shared_ptr<const learn::ToldTests> tests;      ///< of the learner's code; null: they do not run
+    std::shared_ptr<const MeasuredChannels> overlay;    ///< null: none
+    MineSteps mine_steps;                               ///< of the pinned pixel; without a story: not computed, or none
+    std::shared_ptr<const Story> compared;              ///< of the second pinned pixel; null: none
+    std::shared_ptr<const BoxLevels> boxes;             ///< the engine's hierarchy; null: not drawn, or not there yet
+    std::shared_ptr<const SurfacesInPicture> surfaces;  ///< what the pixels show; null: not asked for yet
+    std::shared_ptr<const Thumbnails> thumbnails;       ///< of the scenes that are listed; null: none yet
+    Saved saved;                                        ///< how the last file's writing ended
     std::uint64_t picture_serial = 0, other_serial = 0, overlay_serial = 0;
-    std::uint64_t mine_serial = 0;
+    std::uint64_t mine_serial = 0, surfaces_serial = 0;
 
     double progress = 1;  ///< of the picture that is being rendered, 0 to 1
     bool busy = false;    ///< something is still being computed

@@ -21,12 +21,13 @@ namespace glassbox {
 struct Tools {
     std::function<void()> wake;  ///< called from other threads whenever there is something new
     KeptEngine engine = {};
-    learn::mine::Maker maker = {};               ///< one thread's at a time
-    learn::mine::Maker recorder = {};            ///< another one's
-    std::atomic<int> mine_asked = {};            ///< how often the maker was asked for a picture
-    std::atomic<int> mine_made = {};             ///< up to which of them it is done
-    std::atomic<std::int64_t> pixels_done = {};  ///< of the picture that is being rendered
-    Thumbnails thumbnails = {};                  ///< one thread's at a time
+    learn::mine::Maker maker = {};                           ///< one thread's at a time
+    learn::mine::Maker recorder = {};                        ///< another one's
+    std::atomic<int> mine_asked = {};                        ///< how often the maker was asked for a picture
+    std::atomic<int> mine_made = {};                         ///< up to which of them it is done
+    std::atomic<std::int64_t> pixels_done = {};              ///< of the picture that is being rendered
+    Thumbnails thumbnails = {};                              ///< one thread's at a time
+    std::shared_ptr<const SurfacesInPicture> surfaces = {};  ///< the last that were found; one thread's at a time
 };
 
 /// What a task has while it runs.

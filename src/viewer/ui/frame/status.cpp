@@ -4,6 +4,7 @@
 #include "viewer/model/overlay/laid_over.hpp"
 #include "viewer/model/overlay/subtracted.hpp"
 #include "viewer/ui/panels.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 
@@ -45,11 +46,14 @@ void draw_status(const Frame& frame) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", error.c_str());
         return;
     }
-    ImGui::TextUnformatted(hovered_text(frame).c_str());
     const std::string right = frame.results.progress < 1
                                   ? fmt::format("rendering {:.0f} %", 100 * frame.results.progress)
                                   : fmt::format("{:.4g} × {}", state.view.zoom, frame.results.busy ? "…" : "");
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x);
+    const float width = ImGui::CalcTextSize(right.c_str()).x, end = ImGui::GetWindowContentRegionMax().x;
+    const std::string text = hovered_text(frame);
+    ImGui::TextUnformatted(fitting(text, end - width - ImGui::GetCursorPosX() - ImGui::GetFontSize()).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+    ImGui::SameLine(end - width);
     ImGui::TextUnformatted(right.c_str());
 }
 

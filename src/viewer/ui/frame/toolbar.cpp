@@ -60,8 +60,8 @@ void draw_toolbar(const Frame& frame) {
     flow("Space");
     if (toggle("Space", state.space_shown)) state.space_shown = !state.space_shown;
     tip("Show or hide the scene in space");
-    flow("Mine");
-    if (toggle("Mine", shows_mine(state))) toggle_mine(state);
+    flow("My picture");
+    if (toggle("My picture", shows_mine(state))) toggle_mine(state);
     tip("Your own code's picture beside ours (m)");
     flow("Theme");
     if (ImGui::Button("Theme")) state.appearance.dark = !state.appearance.dark;

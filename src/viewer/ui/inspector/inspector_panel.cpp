@@ -231,9 +231,9 @@ void draw_inspector(const Frame& frame) {
     ImGui::Spacing();
     draw_tools(frame, *first);
     ImGui::Spacing();
-    const std::vector<InspectorPart> parts = inspector(*first);
-    const std::vector<InspectorPart> others = second ? inspector(*second) : std::vector<InspectorPart>();
-    for (const Pair<InspectorPart>& part : paired<InspectorPart>(parts, others, &InspectorPart::title))
+    InspectorParts& told = frame.inspector;
+    told.update(frame.results.story, frame.results.compared);
+    for (const Pair<InspectorPart>& part : paired<InspectorPart>(told.first(), told.second(), &InspectorPart::title))
         draw_section({frame, first, second}, part);
 }
 

@@ -15,17 +15,24 @@ class Flow {
 public:
     Flow() : right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
 
-    void item(ImU32 color, const std::string& text) {
-        const float gap = ImGui::GetFontSize() * .5f;
-        if (!first_ && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(text.c_str()).x <= right_)
-            ImGui::SameLine(0, gap);
-        first_ = false;
-        draw_wrapped(color, text);
+    void item(ImU32 color, const std::string& text) { place(color, text, ImGui::CalcTextSize(text.c_str()).x); }
+
+    /// Words, which may be wrapped beside what stands before them.
+    void words(ImU32 color, const std::string& text) {
+        constexpr float least = 10;  // letters' heights
+        place(color, text, std::min(ImGui::CalcTextSize(text.c_str()).x, least * ImGui::GetFontSize()));
     }
     /// Lets further items follow on this line.
     void begun() { first_ = false; }
 
 private:
+    void place(ImU32 color, const std::string& text, float least_width) {
+        const float gap = ImGui::GetFontSize() * .5f;
+        if (!first_ && ImGui::GetItemRectMax().x + gap + least_width <= right_) ImGui::SameLine(0, gap);
+        first_ = false;
+        draw_wrapped(color, text);
+    }
+
     float right_;
     bool first_ = true;
 };
@@ -98,7 +105,7 @@ void draw_value(const Frame& frame, const InspectorRow& row, bool different) {
         }
     }
     ImGui::PopFont();
-    if (!row.note.empty()) flow.item(row.numbers.empty() ? palette.text : palette.faint_text, row.note);
+    if (!row.note.empty()) flow.words(row.numbers.empty() ? palette.text : palette.faint_text, row.note);
     ImGui::EndGroup();
     if (row.with_bar && row.numbers.front().checked)
         draw_error_bar(frame, *row.numbers.front().checked, ImGui::GetContentRegionAvail().x);

@@ -48,7 +48,7 @@ void draw_fan(const Canvas& canvas, const Fan& fan, ImVec2 low, float width, flo
                 fmt::format("{} {}", fan.product, degrees(fan.cosine)));
     const bool clipped = behind && fan.color != palette.n_r;  // n·r only says which side is seen
     canvas.text({low.x + unit * .2f, words + unit * 1.15f}, {0, 0}, behind ? palette.failed : palette.faint_text,
-                clipped ? "< 0: counts as 0" : fmt::format("cos {:.4f}", fan.cosine));
+                clipped ? "< 0: counts as 0" : "cos " + with_minus(fmt::format("{:.4f}", fan.cosine)));
 }
 
 }  // namespace

@@ -224,10 +224,17 @@ void draw_looked_at(const Frame& frame) {
 
 void draw_looked_at_banner(const Frame& frame, ImVec2 corner, ImVec2 size) {
     if (!frame.state.looked_at) return;
-    std::string text = "The ray of your test: " + frame.state.looked_at->test;
-    for (const auto& [name, value] : looked_at_rows(frame)) text += fmt::format("\n{}  {}", name, value);
-    const float font = ImGui::GetFontSize(), pad = font / 2;
-    const std::string lines = wrapped(text, size.x - 3 * pad);
+    const float font = ImGui::GetFontSize(), pad = font / 2, room = size.x - 3 * pad;
+    // The picture must stay in sight: where there is little room, each is cut to a line.
+    const auto told = [&](bool cut) {
+        const auto fitted = [&](const std::string& text) { return cut ? fitting(text, room) : wrapped(text, room); };
+        std::string text = fitted("The ray of your test: " + frame.state.looked_at->test);
+        for (const auto& [name, value] : looked_at_rows(frame))
+            text += '\n' + fitted(fmt::format("{}  {}", name, value));
+        return text;
+    };
+    std::string lines = told(false);
+    if (ImGui::CalcTextSize(lines.c_str()).y > .4f * size.y) lines = told(true);
     const ImVec2 extent = ImGui::CalcTextSize(lines.c_str()), from{corner.x + pad / 2, corner.y + 3.3f * font};
     const ImVec2 to{from.x + extent.x + 2 * pad, from.y + extent.y + pad};
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -17,6 +17,7 @@ namespace glassbox {
 
 namespace {
 
+constexpr ImU32 lit = IM_COL32(255, 205, 60, 255);  // on any picture, in both themes
 constexpr double grid_from = 8, numbers_from = 48;  // zooms
 
 /// Where the picture area lies on the screen, and what is drawn there.
@@ -154,6 +155,17 @@ void draw_numbers(const Canvas& canvas) {
                     canvas.list.AddText(frame.fonts.mono, size, {place.x + 1, place.y + 1}, black, lines[i].c_str());
                 canvas.list.AddText(frame.fonts.mono, size, place, ink, lines[i].c_str());
             }
+        }
+}
+
+/// Draws a line around the pixels that show the surface that is lit up; what they show stays in sight.
+void draw_lit_outline(const Canvas& canvas) {
+    const Pixel first = canvas.first(), last = canvas.last();
+    const float width = std::max(1.f, ImGui::GetFontSize() / 11);
+    for (const auto& [color, its_width] : {std::pair(IM_COL32(0, 0, 0, 160), 2.2f * width), {lit, width}})
+        for (const auto& [from, to] : canvas.frame.pictures.lit_outline()) {
+            if (to.x < first.x || to.y < first.y || from.x > last.x + 1 || from.y > last.y + 1) continue;
+            canvas.list.AddLine(canvas.at(from.x, from.y), canvas.at(to.x, to.y), color, its_width);
         }
 }
 
@@ -301,6 +313,7 @@ void draw_picture(const Frame& frame) {
     draw_layers(canvas);
     draw_grid(canvas);
     draw_numbers(canvas);
+    draw_lit_outline(canvas);
     draw_watched_place(frame, canvas.list, canvas.corner);
     const learn::mine::PictureUpdate* const mine = shows_mine(state) ? frame.results.mine.get() : nullptr;
     if (mine && mine->spot)

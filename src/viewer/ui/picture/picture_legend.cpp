@@ -83,7 +83,7 @@ private:
     bool draws_;
 };
 
-/// "margin in log10", "coarse: 1/8 of the pixels a side so far".
+/// "margin in digits", "coarse: 1/8 of the pixels a side so far".
 void fill(Card& card, const Frame& frame, float close_button, float least_room) {
     const ViewerState& state = frame.state;
     const MeasuredChannels* const overlay = last_laid_over(state, frame.results);

@@ -7,6 +7,7 @@
 #include "output/coloring.hpp"
 #include "viewer/model/overlay/enlarged.hpp"
 #include "viewer/model/overlay/laid_over.hpp"
+#include "viewer/model/story/cursor.hpp"
 #include "viewer/model/work/watching.hpp"
 
 namespace glassbox {
@@ -104,6 +105,13 @@ void Pictures::update_overlay(const ViewerState& state, const Results& results) 
     });
 }
 
+void Pictures::update_outline(const ViewerState& state, const Results& results) {
+    const SurfacesInPicture* const seen = surfaces_in_picture(state, results);
+    const Outlined now{seen ? lit_surface(state, results) : std::nullopt, results.surfaces_serial};
+    if (std::exchange(outlined_, now) == now) return;
+    lit_outline_ = now.surface ? outline(seen->numbers, *now.surface) : std::vector<PixelBorder>();
+}
+
 void Pictures::update(const ViewerState& state, const Results& results) {
     const auto shown = state.watching.on ? std::optional(static_cast<std::size_t>(state.watching.shown)) : std::nullopt;
     const bool other_watched = std::exchange(watched_, shown) != shown;
@@ -114,6 +122,7 @@ void Pictures::update(const ViewerState& state, const Results& results) {
     }
 
     update_overlay(state, results);
+    update_outline(state, results);
 
     const Picture &one = results.picture, &other = results.other;
     if (renewed(other_serial_, results.other_serial) && other.image) {

@@ -5,6 +5,7 @@
 
 #include "viewer/model/overlay/difference.hpp"
 #include "viewer/model/overlay/histogram.hpp"
+#include "viewer/model/overlay/surfaces_in_picture.hpp"
 #include "viewer/model/state/state.hpp"
 #include "viewer/model/work/results.hpp"
 #include "viewer/platform/texture.hpp"
@@ -26,6 +27,9 @@ public:
 
     /// What the overlay's colours stand for, one for each plane; empty while nothing is measured.
     const std::vector<Distribution>& distributions() const { return distributions_; }
+
+    /// Around the pixels that show the surface that is lit up; empty where none does.
+    const std::vector<PixelBorder>& lit_outline() const { return lit_outline_; }
 
     /// How many pixels of the overlay are brushed.
     std::int64_t brushed() const { return brushed_; }
@@ -60,7 +64,17 @@ private:
     Image overlay_colors_{0, 0};
     std::int64_t brushed_ = 0;
 
+    /// What is outlined: a surface of which pictures.
+    struct Outlined {
+        std::optional<std::size_t> surface;
+        std::uint64_t serial = 0;
+        bool operator==(const Outlined&) const = default;
+    };
+    Outlined outlined_;
+    std::vector<PixelBorder> lit_outline_;
+
     void update_overlay(const ViewerState& state, const Results& results);
+    void update_outline(const ViewerState& state, const Results& results);
     std::optional<std::size_t> watched_;  ///< pixels, while the tracing is watched
 };
 

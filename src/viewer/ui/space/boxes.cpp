@@ -37,7 +37,7 @@ float paint_words(const SpaceCanvas& canvas, Labels& labels, float left, float t
     const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, width);
     const ImVec2 end{left + size.x, top + size.y};
     labels.keep_free({canvas.corner.x, top}, end);
-    canvas.list.AddRectFilled({left - pad, top}, {end.x + pad, end.y}, faded(canvas.frame.palette.canvas, .65));
+    canvas.list.AddRectFilled({left - pad, top}, {end.x + pad, end.y}, faded(canvas.frame.palette.canvas, .85));
     canvas.list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {left, top}, color, words.c_str(), nullptr, width);
     return end.y;
 }
@@ -88,7 +88,7 @@ ImVec2 draw_box_buttons(const Frame& frame, ImVec2 at) {
     const ImVec2 from{ImGui::GetItemRectMax().x, at.y};
     const float width = ImGui::CalcTextSize(words.c_str()).x + 2 * gap;
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + width, at.y + ImGui::GetFrameHeight()},
-                                              faded(frame.palette.canvas, .65));
+                                              faded(frame.palette.canvas, .85));
     ImGui::SameLine(0, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(words.c_str());

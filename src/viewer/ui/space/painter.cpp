@@ -45,18 +45,33 @@ ImU32 edge_color(const SpaceCanvas& canvas, double opacity) {
     return canvas.frame.state.appearance.dark ? shaded({255, 255, 255}, 1, opacity) : shaded({}, 1, opacity);
 }
 
+/// Whether all corners lie on the same outer side of the pane.
+bool is_out_of_sight(const SpaceCanvas& canvas, const std::array<ImVec2, 3>& at) {
+    const ImVec2 low = canvas.corner, high{low.x + static_cast<float>(canvas.camera.area.x),
+                                           low.y + static_cast<float>(canvas.camera.area.y)};
+    const auto all = [&](const auto& is_outside) { return std::all_of(at.begin(), at.end(), is_outside); };
+    return all([&](ImVec2 p) { return p.x < low.x; }) || all([&](ImVec2 p) { return p.x > high.x; }) ||
+           all([&](ImVec2 p) { return p.y < low.y; }) || all([&](ImVec2 p) { return p.y > high.y; });
+}
+
 void paint_part(const SpaceCanvas& canvas, const SurfacesInSpace::Part& part, double edge_opacity) {
     std::array<ImVec2, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!in_front(canvas.camera, part.corners[i])) return;
         at[i] = canvas.on_screen(part.corners[i]);
     }
+    if (is_out_of_sight(canvas, at)) return;
     const std::size_t color = canvas.surfaces.shown.spheres.size() + part.triangle;
     // Both sides are equally bright.
     const Vec3<double> n = normal(canvas.surfaces.shown.triangles[part.triangle]);
     const Vec3<double> facing = towards(eye(canvas.camera) - part.corners[0], n);
     const double light = is_finite(n) ? brightness(canvas, facing) : 1;
     canvas.list.AddTriangleFilled(at[0], at[1], at[2], shaded(canvas.surfaces.colors[color], light, 0.82));
+    // The edges of tiny triangles would only tint them, and there are very many.
+    constexpr float tiny = 4;  // pixels
+    const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});
+    const auto [top, bottom] = std::minmax({at[0].y, at[1].y, at[2].y});
+    if (right - left < tiny && bottom - top < tiny) return;
     for (std::size_t i = 0; i < 3; ++i)
         if (part.on_its_edge[i])
             canvas.list.AddLine(at[i], at[(i + 1) % 3], edge_color(canvas, edge_opacity), line_width() * 0.7f);
@@ -222,6 +237,7 @@ std::vector<Item> sorted_items(const SpaceCanvas& canvas, const std::vector<Edge
     };
     std::vector<Item> items;
     const auto& parts = canvas.surfaces.parts;
+    items.reserve(parts.size() + edges.size() + 1000);  // in most scenes that is all
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto& [A, B, C] = parts[i].corners;
         items.push_back({Item::Kind::part, depth((A + B + C) / 3), i});
@@ -265,6 +281,8 @@ ImU32 color_of(const Palette& palette, Ink ink) {
             return palette.second;
         case Ink::light:
             return palette.n_l;
+        case Ink::viewer:
+            return palette.n_r;
         case Ink::half_vector:
             return palette.n_h;
         case Ink::a:

@@ -34,7 +34,8 @@ void paint_light(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& h
     const ImU32 color = color_of(canvas.frame.palette, Ink::light);
     const ImVec2 at = canvas.on_screen(sun);
     const float r = ImGui::GetFontSize() * .32f;
-    paint_arrow(canvas, sun - 0.1 * towards_sun, sun - 0.3 * towards_sun, color, line_width());
+    if (const auto tip = paint_arrow(canvas, sun - 0.1 * towards_sun, sun - 0.3 * towards_sun, color, line_width()))
+        labels.keep_off_line(at, *tip);
     canvas.list.AddCircleFilled(at, r, color);
     for (int i = 0; i < 8; ++i) {
         const auto [c, s] = cos_sin(45.f * static_cast<float>(i));
@@ -63,17 +64,37 @@ void paint_axes(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& hi
     }
 }
 
-void paint_arrows(const SpaceCanvas& canvas, Labels& labels) {
+/// An arrow's name, to be put at its tip.
+struct NamedTip {
+    ImVec2 at;
+    const char* name;
+    ImU32 color;
+};
+
+/// Draws the vectors at the first hit; words are to keep off them.
+std::vector<NamedTip> paint_arrows(const SpaceCanvas& canvas, Labels& labels) {
+    std::vector<NamedTip> tips;
     for (const ArrowInSpace& arrow : canvas.drawing.arrows) {
         if (!in_front(canvas.camera, arrow.from)) continue;
         // The light's arrow is longer: the half vector may lie on it.
         const double size =
             (arrow.ink == Ink::light ? 4 : 3.2) * ImGui::GetFontSize() * length_of_pixel(canvas.camera, arrow.from);
         const ImU32 color = color_of(canvas.frame.palette, arrow.ink);
-        const auto tip =
-            paint_arrow(canvas, arrow.from, arrow.from + size * arrow.direction, color, line_width() * 1.6f);
-        if (tip) labels.put(*tip, line_width() * 2, arrow.name, color);
+        // The one towards the viewer lies on the ray, and must be seen on it.
+        const float width = line_width() * (arrow.ink == Ink::viewer ? 2.6f : 1.6f);
+        const auto tip = paint_arrow(canvas, arrow.from, arrow.from + size * arrow.direction, color, width);
+        if (!tip) continue;
+        labels.keep_off_line(canvas.on_screen(arrow.from), *tip);
+        tips.push_back({*tip, arrow.name, color});
     }
+    return tips;
+}
+
+void keep_off_rays(const SpaceCanvas& canvas, Labels& labels) {
+    for (const LineInSpace& line : canvas.drawing.lines)
+        if (line.ink == Ink::pinned || line.ink == Ink::second)
+            if (const auto seen = visible_part(canvas.camera, line.from, line.to))
+                labels.keep_off_line(canvas.on_screen(seen->first), canvas.on_screen(seen->second));
 }
 
 void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& hints) {
@@ -93,21 +114,35 @@ void paint_labels(const SpaceCanvas& canvas, Labels& labels, std::vector<Hint>& 
     }
 }
 
-/// Draws the outline of the surface that is lit up, also through others.
+void paint_lit(const SpaceCanvas& canvas, const Triangle<double>& triangle) {
+    const auto& [A, B, C] = triangle;
+    for (const auto& [from, to] : {std::pair(A, B), {B, C}, {C, A}})
+        paint_line(canvas, from, to, canvas.frame.palette.warning, 2.5f * line_width());
+}
+
+void paint_lit(const SpaceCanvas& canvas, const Sphere<double>& sphere) {
+    if (!in_front(canvas.camera, sphere.C)) return;
+    const double radius = sphere.r / length_of_pixel(canvas.camera, sphere.C);
+    canvas.list.AddCircle(canvas.on_screen(sphere.C), static_cast<float>(std::min(radius, 1e5)),
+                          canvas.frame.palette.warning, 64, 2.5f * line_width());
+}
+
+/// Draws the outline of the surface that is lit up, also through others: one of the story, or of those drawn.
 void paint_lit_surface(const SpaceCanvas& canvas) {
-    const story::Surface* const lit = lit_in_story(canvas.frame.state, canvas.frame.results);
-    if (!lit) return;
-    const ImU32 color = canvas.frame.palette.warning;
-    const float width = 2.5f * line_width();
-    if (const auto* triangle = std::get_if<story::TriangleTest>(&lit->test)) {
-        const auto& [A, B, C] = triangle->vertices;
-        for (const auto& [from, to] : {std::pair(A, B), {B, C}, {C, A}}) paint_line(canvas, from, to, color, width);
-        return;
+    const Frame& frame = canvas.frame;
+    if (const story::Surface* const lit = lit_in_story(frame.state, frame.results)) {
+        if (const auto* test = std::get_if<story::TriangleTest>(&lit->test))
+            return paint_lit(canvas, Triangle<double>{test->vertices[0], test->vertices[1], test->vertices[2]});
+        const auto& sphere = std::get<story::SphereTest>(lit->test);
+        return paint_lit(canvas, Sphere<double>{sphere.center, sphere.radius});
     }
-    const auto& sphere = std::get<story::SphereTest>(lit->test);
-    if (!in_front(canvas.camera, sphere.center)) return;
-    const double radius = sphere.radius / length_of_pixel(canvas.camera, sphere.center);
-    canvas.list.AddCircle(canvas.on_screen(sphere.center), static_cast<float>(std::min(radius, 1e5)), color, 64, width);
+    const std::optional<std::size_t> lit = lit_surface(frame.state, frame.results);
+    if (!lit) return;
+    const auto& [spheres, triangles] = canvas.surfaces.shown;
+    const std::vector<std::size_t>& numbers = canvas.surfaces.numbers;
+    const auto at = static_cast<std::size_t>(std::ranges::find(numbers, *lit) - numbers.begin());
+    if (at < spheres.size()) paint_lit(canvas, spheres[at]);
+    else if (at < numbers.size() && !canvas.surfaces.coarser) paint_lit(canvas, triangles[at - spheres.size()]);
 }
 
 /// Draws the ray of the pixel that is traced while one watches.
@@ -135,8 +170,9 @@ std::string caption(const SurfacesInSpace& surfaces, bool with_mesh_boxes) {
                             with_mesh_boxes ? ", and the boxes around their meshes" : "");
     if (spheres < surfaces.all_spheres) text += fmt::format("{} of {} spheres drawn. ", spheres, surfaces.all_spheres);
     if (surfaces.far > 0)
-        text += fmt::format("{} {} far away: the wheel moves back. ", surfaces.far,
-                            surfaces.far == 1 ? "surface is" : "surfaces are");
+        text += fmt::format("{} too far away to be seen here: turn the wheel back to see {}. ",
+                            surfaces.far == 1 ? "1 surface is" : fmt::format("{} surfaces are", surfaces.far),
+                            surfaces.far == 1 ? "it" : "them");
     return text;
 }
 
@@ -148,7 +184,7 @@ void paint_caption(const SpaceCanvas& canvas, Labels& labels, float top) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
     labels.keep_free(at, {at.x + size.x, at.y + size.y});
     canvas.list.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y},
-                              faded(canvas.frame.palette.canvas, .65));
+                              faded(canvas.frame.palette.canvas, .85));
     canvas.list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, canvas.frame.palette.faint_text, text.c_str(),
                         nullptr, width);
 }
@@ -217,9 +253,13 @@ void draw_space(const Frame& frame) {
     Labels labels(canvas.list, corner, end, faded(frame.palette.canvas, .65));
     std::vector<Hint> hints;
     labels.keep_free(buttons, buttons_end);
+    list.ChannelsSetCurrent(1);  // on top, too, so that no dot or line goes through the words
     paint_caption(canvas, labels, paint_box_legend(canvas, labels, buttons_end.y + pad));
+    list.ChannelsSetCurrent(0);
+    keep_off_rays(canvas, labels);
+    const std::vector<NamedTip> tips = paint_arrows(canvas, labels);
     paint_labels(canvas, labels, hints);
-    paint_arrows(canvas, labels);
+    for (const auto& [at, name, color] : tips) labels.put(at, line_width() * 2, name, color);
     paint_light(canvas, labels, hints);
     paint_axes(canvas, labels, hints);
     canvas.list.PopClipRect();

@@ -38,7 +38,9 @@ void draw_input(const Frame& frame, const NudgedInput& input) {
     ImGui::PushID(input.name.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(input.name.c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.17g\nnow %.17g", input.before, input.after);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s\nnow %s", with_minus(fmt::format("{:.17g}", input.before)).c_str(),
+                          with_minus(fmt::format("{:.17g}", input.after)).c_str());
     ImGui::SameLine(0, gap);
     if (ImGui::Button("−", {small, 0})) nudge(frame.state, frame.results, input.name, -frame.state.stepping.nudge_by);
     ImGui::SameLine(0, gap / 2);
@@ -46,7 +48,7 @@ void draw_input(const Frame& frame, const NudgedInput& input) {
     if (input.by != 0) {
         ImGui::SameLine(0, gap);
         ImGui::PushStyleColor(ImGuiCol_Text, frame.palette.accent);
-        ImGui::TextUnformatted(fmt::format("{:+}", input.by).c_str());
+        ImGui::TextUnformatted(with_minus(fmt::format("{:+}", input.by)).c_str());
         ImGui::PopStyleColor();
     }
     ImGui::PopID();
@@ -58,7 +60,7 @@ void draw_inputs(const Frame& frame, const std::vector<NudgedInput>& inputs) {
     float widest = 0, moved = ImGui::CalcTextSize("+9").x;
     for (const NudgedInput& input : inputs) {
         widest = std::max(widest, ImGui::CalcTextSize(input.name.c_str()).x);
-        moved = std::max(moved, ImGui::CalcTextSize(fmt::format("{:+}", input.by).c_str()).x);
+        moved = std::max(moved, ImGui::CalcTextSize(with_minus(fmt::format("{:+}", input.by)).c_str()).x);
     }
     const float cell = widest + 2 * ImGui::GetFrameHeight() + moved + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
     const auto columns = static_cast<int>(std::clamp(room / cell, 1.f, 3.f));

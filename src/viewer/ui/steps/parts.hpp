@@ -30,9 +30,6 @@ struct Sign {
 };
 Sign sign_of(const Frame& frame, std::size_t step);
 
-/// The text, or as much of it as fits, with "…" at its end.
-std::string fitting(const std::string& text, float width);
-
 /// Continues on the same line, if there is room for this width.
 void same_line_if_fits(float width);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "viewer/model/story/predicting.hpp"
 #include "viewer/model/story/stepping.hpp"
@@ -89,13 +90,20 @@ void draw_timeline_page(const Frame& frame) {
     draw_transport(frame);
     if (!frame.state.mine.is_stepped) draw_predict(frame);
     draw_hidden(frame);
-    const Event& event = steps_now(frame.state, frame.results).timeline[frame.state.step];
+    // A click in one part goes to another event, which the next part is about.
+    const auto event = [&]() -> const Event& {
+        return steps_now(frame.state, frame.results).timeline[frame.state.step];
+    };
     draw_event_list(frame, std::max(4.5f * line, .18f * room));
+    float* const size = ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("text size"), ImGui::GetFontSize());
+    const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+    const bool in_sight = ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y <= bottom;
+    if (std::exchange(*size, ImGui::GetFontSize()) != ImGui::GetFontSize() && !in_sight) ImGui::SetScrollHereY();
     ImGui::BeginChild("values", {0, std::max(8.5f * line, .24f * room)}, true);
-    draw_values(frame, event);
+    draw_values(frame, event());
     ImGui::EndChild();
     draw_ways(frame);
-    draw_pane(frame, event, std::max(10 * line, ImGui::GetContentRegionAvail().y));
+    draw_pane(frame, event(), std::max(10 * line, ImGui::GetContentRegionAvail().y));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "viewer/model/story/stepping.hpp"
 #include "viewer/model/story/steps_now.hpp"
 #include "viewer/ui/steps/parts.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 
@@ -56,7 +57,7 @@ void draw_event(const Frame& frame, std::size_t number) {
     ImGui::PopStyleColor();
 }
 
-/// Scrolls the current event to the middle when it has changed.
+/// Scrolls the current event to the middle when it has changed, or what is seen of the list has.
 void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("shown");
@@ -65,16 +66,17 @@ void follow(const Frame& frame, const std::vector<Row>& rows, float height) {
         static_cast<int>(2 * steps_now(frame.state, frame.results).story_serial) + frame.state.stepping.fed.has_value();
     const ImGuiID story_id = ImGui::GetID("story");
     const ImGuiID height_id = ImGui::GetID("height");
-    const auto lines = static_cast<int>(100 * height / ImGui::GetTextLineHeightWithSpacing());
+    const ImGuiID line_id = ImGui::GetID("line");
+    const float line = ImGui::GetTextLineHeightWithSpacing();
     if (storage->GetInt(id, -1) == step && storage->GetInt(story_id, -1) == serial &&
-        storage->GetInt(height_id, -1) == lines)
+        storage->GetFloat(height_id) == height && storage->GetFloat(line_id) == line)
         return;
-    storage->SetInt(height_id, lines);
+    storage->SetFloat(height_id, height);
+    storage->SetFloat(line_id, line);
     storage->SetInt(id, step);
     storage->SetInt(story_id, serial);
     const auto at = std::find_if(rows.begin(), rows.end(),
                                  [&](const Row& row) { return !row.heading && row.event == frame.state.step; });
-    const float line = ImGui::GetTextLineHeightWithSpacing();
     ImGui::SetScrollY(std::max(0.f, (static_cast<float>(at - rows.begin()) + .5f) * line - height / 2));
 }
 
@@ -86,14 +88,6 @@ Sign sign_of(const Frame& frame, std::size_t step) {
     if (event.holds) return *event.holds ? Sign{"✓", frame.palette.passed} : Sign{"no", frame.palette.faint_text};
     if (event.cancellation && !hides_loss(frame.state, frame.results, step)) return {"⚠", frame.palette.warning};
     return {"", frame.palette.text};
-}
-
-std::string fitting(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    const char* rest = nullptr;
-    const float dots = ImGui::CalcTextSize("…").x;
-    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(width - dots, 1.f), 0, text.c_str(), nullptr, &rest);
-    return std::string(text.c_str(), rest) + "…";
 }
 
 void draw_event_list(const Frame& frame, float height) {

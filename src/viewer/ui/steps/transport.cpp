@@ -66,17 +66,17 @@ bool icon_button(const char* id, Icon icon, const char* what) {
 void buttons(const Frame& frame) {
     ViewerState& state = frame.state;
     const auto to = [&](StepTo where) { go(state, frame.results, where); };
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto beside = [] { same_line_if_fits(ImGui::GetItemRectSize().x); };  // all are equally wide
     if (icon_button("##first", Icon::first, "To the first step (Home)")) to(StepTo::first);
-    ImGui::SameLine(0, gap);
+    beside();
     if (icon_button("##back", Icon::back, "A step back ([)")) to(StepTo::back);
-    ImGui::SameLine(0, gap);
+    beside();
     if (icon_button("##play", state.playing ? Icon::pause : Icon::play,
                     state.playing ? "Pause (Space)" : "Play (Space)"))
         play_or_pause(state, frame.results);
-    ImGui::SameLine(0, gap);
+    beside();
     if (icon_button("##forward", Icon::forward, "A step forward (])")) to(StepTo::forward);
-    ImGui::SameLine(0, gap);
+    beside();
     if (icon_button("##last", Icon::last, "To the last step (End)")) to(StepTo::last);
 
     const auto press = [](const char* label, const char* what) {

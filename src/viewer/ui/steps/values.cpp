@@ -57,7 +57,7 @@ void draw_link(const Frame& frame, const std::string& name, const Look& look) {
 void draw_number(const Frame& frame, const std::string& name, const Checked& number, const Look& look,
                  std::string (*known)(std::string_view, const Checked&)) {
     draw_link(frame, (look.made_by ? "← " : "") + name + " =", look);
-    const std::string value = fmt::format("{:.17g}", number.value);
+    const std::string value = with_minus(fmt::format("{:.17g}", number.value));
     ImGui::PushFont(frame.fonts.mono);
     same_line_if_fits(ImGui::CalcTextSize(value.c_str()).x + ImGui::GetFontSize());
     draw_wrapped(value);

@@ -51,7 +51,10 @@ void draw_watch(const Frame& frame) {
         ImGui::SameLine(0, gap);
         if (ImGui::Button("Stop")) watching.on = watching.running = false;
     }
-    if (!watching.on) ImGui::SameLine(0, 2 * gap);
+    if (!watching.on) {
+        ImGui::SameLine(0, 2 * gap);
+        if (ImGui::GetContentRegionAvail().x < 7 * ImGui::GetFontSize()) return ImGui::NewLine();  // until it is on
+    }
     ImGui::SetNextItemWidth(-1);
     constexpr double least = 100, most = 1e6;
     ImGui::SliderScalar("##pixels a second", ImGuiDataType_Double, &watching.pixels_per_second, &least, &most,

@@ -33,20 +33,24 @@ ImU32 color_of(const Palette& palette, TileLine::About about) {
     return palette.text;
 }
 
+/// How much the tiles say: all; less, and that one after the other; or of that only the first.
+enum class Words { all, brief, first };
+
 /// The tiles, side by side or below each other, each with its words wrapped.
 class TileRows {
 public:
-    /// `brief`: with fewer words, and these one after the other.
-    TileRows(const Frame& frame, const std::array<Tile, 3>& tiles, float room, std::size_t in_a_row, bool brief)
-        : in_a_row_(in_a_row), brief_(brief) {
+    TileRows(const Frame& frame, const std::array<Tile, 3>& tiles, float room, std::size_t in_a_row, Words words)
+        : in_a_row_(in_a_row), brief_(words != Words::all) {
         const float gaps = gap() * static_cast<float>(in_a_row - 1);
         const float width = std::floor((room - gaps) / static_cast<float>(in_a_row));
         for (std::size_t i = 0; i < 3; ++i) {
             const bool is_alone = i % in_a_row == 0 && i == 2;
             boxes_[i].width = is_alone ? room : width;
             add(boxes_[i], frame.palette.accent, tiles[i].title);
-            for (const TileLine& line : brief ? tiles[i].brief : tiles[i].lines)
+            for (const TileLine& line : brief_ ? tiles[i].brief : tiles[i].lines) {
                 add(boxes_[i], color_of(frame.palette, line.about), line.text);
+                if (words == Words::first) break;
+            }
         }
         for (std::size_t first = 0; first < 3; first += in_a_row) {
             const std::span row = std::span(boxes_).subspan(first, std::min(in_a_row, 3 - first));
@@ -67,13 +71,13 @@ public:
     /// Whether no word is wider than its tile.
     bool fits() const {
         for (const Box& box : boxes_)
-            for (const Words& words : box.words)
+            for (const Text& words : box.words)
                 if (words.at.x + words.width > inner(box)) return false;
         return true;
     }
 
     void draw(ImDrawList& list, std::size_t tile, ImVec2 corner) const {
-        for (const Words& words : boxes_[tile].words)
+        for (const Text& words : boxes_[tile].words)
             list.AddText({corner.x + pad() + words.at.x, corner.y + pad() + words.at.y}, words.color,
                          words.text.c_str());
     }
@@ -82,7 +86,7 @@ public:
     static float pad() { return std::floor(ImGui::GetFontSize() * .3f); }
 
 private:
-    struct Words {
+    struct Text {
         ImU32 color;
         std::string text;  ///< with its line breaks
         ImVec2 at;
@@ -90,7 +94,7 @@ private:
     };
     struct Box {
         float width = 0, bottom = 0;
-        std::vector<Words> words = {};
+        std::vector<Text> words = {};
     };
 
     static float inner(const Box& box) { return box.width - 2 * pad(); }
@@ -99,7 +103,7 @@ private:
         const float space = ImGui::GetFontSize() * .5f;
         const float whole = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
         if (brief_ && !box.words.empty()) {
-            const Words& last = box.words.back();
+            const Text& last = box.words.back();
             const float after = last.at.x + last.width + space;
             const bool is_one_line = last.text.find('\n') == std::string::npos;
             if (is_one_line && after + whole <= inner(box)) {
@@ -120,13 +124,16 @@ private:
 
 /// With all words if they take little height, side by side if they are not too wide for that; else as low as can be.
 TileRows laid_out(const Frame& frame, const std::array<Tile, 3>& tiles, float room, float most_height) {
-    const TileRows whole(frame, tiles, room, 3, false);
+    const TileRows whole(frame, tiles, room, 3, Words::all);
     if (whole.fits() && whole.height() <= most_height) return whole;
     std::optional<TileRows> lowest;
-    for (std::size_t in_a_row = 3; in_a_row > 0; --in_a_row) {
-        const TileRows brief(frame, tiles, room, in_a_row, true);
-        if (in_a_row > 1 && !brief.fits()) continue;
-        if (!lowest || brief.height() < lowest->height()) lowest = brief;
+    for (const Words words : {Words::brief, Words::first}) {
+        for (std::size_t in_a_row = 3; in_a_row > 0; --in_a_row) {
+            const TileRows rows(frame, tiles, room, in_a_row, words);
+            if (in_a_row > 1 && !rows.fits()) continue;
+            if (!lowest || rows.height() < lowest->height()) lowest = rows;
+        }
+        if (lowest->height() <= most_height) break;
     }
     return *lowest;
 }

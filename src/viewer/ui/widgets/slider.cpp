@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "explain/phrases.hpp"
 #include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
@@ -23,7 +24,7 @@ std::string number_as_written(double value, const char* format) {
 
 bool slider(const char* id, const std::string& name, double& value, const SliderRange& range, float room_on_right) {
     const auto& [least, most, format, is_logarithmic] = range;
-    draw_wrapped(name + ": " + number_as_written(value, format));
+    draw_wrapped(name + ": " + with_minus(number_as_written(value, format)));
     ImGui::SetNextItemWidth(std::max(ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x - room_on_right));
     // Without a format Dear ImGui writes no number over the handle, and rounds none.
     const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &least, &most, "",

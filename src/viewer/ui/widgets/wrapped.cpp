@@ -39,6 +39,14 @@ std::string wrapped(std::string_view text, float room) {
     }
 }
 
+std::string fitting(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const char* rest = nullptr;
+    const float dots = ImGui::CalcTextSize("…").x;
+    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(width - dots, 1.f), 0, text.c_str(), nullptr, &rest);
+    return std::string(text.c_str(), rest) + "…";
+}
+
 void draw_wrapped(std::string_view text) {
     const std::string lines = wrapped(text);
     ImGui::TextUnformatted(lines.c_str(), lines.c_str() + lines.size());

@@ -11,6 +11,9 @@ namespace glassbox {
 std::string wrapped(std::string_view text);
 std::string wrapped(std::string_view text, float room);
 
+/// The text, or as much of it as fits into one line, with "…" at its end.
+std::string fitting(const std::string& text, float width);
+
 /// Draws the wrapped text.
 void draw_wrapped(std::string_view text);
 void draw_wrapped(ImU32 color, std::string_view text);
