@@ -19,15 +19,16 @@ namespace glassbox::engine {
 /// scene's scale (Engine::scale), and where it lies so far off that floats could not tell a box from its start, moved
 /// along itself to where the hierarchy begins. Its own t counts in lengths of d from there.
 ///
-/// The boxes are tested in floats, so that none is passed over that holds a point of the true ray. After Ize, "Robust BVH
-/// Ray Traversal" (2013), for rays that are given in doubles. The ray enters the slab between lo and hi of an axis at
-/// (lo − P)/d and leaves it at (hi − P)/d (d < 0: the other way round), and meets the box if it enters the last of the
-/// three slabs no later than it leaves the first. Here:
+/// The boxes are tested in floats, so that none is passed over that holds a point of the true ray. After Ize, "Robust
+/// BVH Ray Traversal" (2013), for rays that are given in doubles. The ray enters the slab between lo and hi of an axis
+/// at (lo − P)/d and leaves it at (hi − P)/d (d < 0: the other way round), and meets the box if it enters the last of
+/// the three slabs no later than it leaves the first. Here:
 /// - P is known but for `start_error`, and so rounded to floats that the ray enters too early and leaves too late.
 /// - What is left is the rounding of lo − P, of 1/d, and of their product, relatively by (1 + u)⁵, u = 2⁻²⁴. It keeps
 ///   signs, so that comparing an entry ≥ 0 with 1 + 2⁻²⁰ > ((1 + u)/(1 − u))⁵ times the exit is on the safe side.
 /// - Along an axis where d is 0, or nearly, P stays where it is as long as the ray is in the hierarchy. Entry and exit
-///   become ∓2¹²⁷ times its distance to a slab that is made a little wider, and so lie beyond all others if P is inside.
+///   become ∓2¹²⁷ times its distance to a slab that is made a little wider, and so lie beyond all others if P is
+///   inside.
 struct BoxRay {
     float near_from[3], far_from[3], inverse[3], exit_inverse[3];
     std::uint32_t near_side[3];  ///< Node::lo, or where d < 0 Node::hi
@@ -74,8 +75,8 @@ struct Approximately {
     double value, error;
 };
 
-/// P − middle + td, found with twice the digits of a double, so that the first and the last may cancel: Knuth's two-sum,
-/// and what a product lacks by one multiplication and addition without rounding between.
+/// P − middle + td, found with twice the digits of a double, so that the first and the last may cancel: Knuth's
+/// two-sum, and what a product lacks by one multiplication and addition without rounding between.
 inline Approximately moved_along(double P, double middle, double t, double d) {
     const auto lacking = [](double a, double b, double sum) {
         const double b_in_sum = sum - a;
@@ -144,8 +145,8 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
         }
         result.near_side[k] = direction < 0 ? Node::hi : Node::lo;
         result.exit_inverse[k] = result.inverse[k] * BoxRay::exit_factor;
-        // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that the
-        // ray meets is as small as numbers that floats do not hold in full.
+        // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that
+        // the ray meets is as small as numbers that floats do not hold in full.
         const double wider = (error[k] + std::abs(start[k]) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;
         const double early = std::copysign(wider, direction);  // so far ahead that a box is entered too early
         result.near_from[k] = static_cast<float>(start[k] + early);

@@ -1,6 +1,7 @@
 // A node's eight boxes before a single ray. To be included after vectors.inl.
 
-/// The children that the ray meets before t_max, and where it enters each: those that it enters no later than it leaves.
+/// The children that the ray meets before t_max, and where it enters each: those that it enters no later than it
+/// leaves.
 HWY_INLINE HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& ray, float t_max,
                                                float (&entries)[fan_out]) {
     std::uint32_t met = 0;

@@ -15,9 +15,7 @@ namespace glassbox::engine {
 struct Copy {
     std::uint32_t of, surface;
 
-    friend bool operator<(const Copy& a, const Copy& b) {
-        return a.of != b.of ? a.of < b.of : a.surface < b.surface;
-    }
+    friend bool operator<(const Copy& a, const Copy& b) { return a.of != b.of ? a.of < b.of : a.surface < b.surface; }
 };
 
 /// Takes the copies out of a list of all surfaces in their order. Ordered by what they are copies of. Triangles are the

@@ -30,7 +30,7 @@ Vec3<double> centre(const Triangle<double>& t) { return 1.0 / 3 * t.A + 1.0 / 3 
 /// however far away a few others lie.
 Vec3<double> median(std::vector<Vec3<double>> points) {
     if (points.empty()) return {};
-    const auto along = [&](double Vec3<double>::* k) {
+    const auto along = [&](double Vec3<double>::*k) {
         const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
         std::ranges::nth_element(points, middle, {}, k);
         return (*middle).*k;
@@ -165,8 +165,8 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
 
 std::size_t Engine::bytes() const {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return of(spheres_) + of(place_) + of(blocks_) + of(loose_) + of(copies_) + of(hierarchy_.nodes) + of(hierarchy_.surfaces) +
-           of(hierarchy_.triangle_leaves) + of(hierarchy_.sphere_leaves);
+    return of(spheres_) + of(place_) + of(blocks_) + of(loose_) + of(copies_) + of(hierarchy_.nodes) +
+           of(hierarchy_.surfaces) + of(hierarchy_.triangle_leaves) + of(hierarchy_.sphere_leaves);
 }
 
 }  // namespace glassbox::engine

@@ -22,9 +22,9 @@
 //       return found_one ? boxes->t_max(t) : t_max;
 //   });
 //
-// and surfaces in loose() are tested besides; who wants all that the ray meets asks about copies_of(surface), too. Where
-// there is no BoxRay, all surfaces are tested. One loop does all of that for the first hit of a ray: ray_kernel.hpp. The
-// rays of neighbouring pixels are traced together: grid, then trace_tile (tile.hpp).
+// and surfaces in loose() are tested besides; who wants all that the ray meets asks about copies_of(surface), too.
+// Where there is no BoxRay, all surfaces are tested. One loop does all of that for the first hit of a ray:
+// ray_kernel.hpp. The rays of neighbouring pixels are traced together: grid, then trace_tile (tile.hpp).
 
 namespace glassbox::engine {
 
@@ -114,7 +114,8 @@ private:
     double scale_ = 1;
     std::vector<Sphere<double>> spheres_;
     std::vector<std::uint32_t> place_;  ///< of each triangle: its block, times 8, and where it stands there
-    std::vector<Block> blocks_;  ///< one for each leaf of triangles, in their order; then those of loose ones and copies
+    std::vector<Block>
+        blocks_;  ///< one for each leaf of triangles, in their order; then those of loose ones and copies
     Hierarchy hierarchy_;
     Vec3<double> middle_;
     Box around_;

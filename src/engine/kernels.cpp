@@ -12,6 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox::engine::HWY_NAMESPACE {
 
 #include "engine/vectors.inl"
+
 #include "engine/children_met.inl"
 
 /// A template, so that a traversal that nobody hears of box by box is compiled without the telling.

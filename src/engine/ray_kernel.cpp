@@ -12,9 +12,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox::engine::HWY_NAMESPACE {
 
 #include "engine/vectors.inl"
+
 #include "engine/children_met.inl"
 #include "engine/ray_triangles.inl"
 #include "engine/sphere_roots.inl"
+
+// Needs both of the last two.
 #include "engine/ray_spheres.inl"
 
 /// No coordinate of a vertex in the hierarchy as seen from the ray's start is larger.

@@ -7,8 +7,8 @@
 
 namespace glassbox::engine {
 
-/// A surface that a ray may meet, where it does at no t below `low`; `sure` says that it does. Here any t is the ray's own:
-/// see BoxRay.
+/// A surface that a ray may meet, where it does at no t below `low`; `sure` says that it does. Here any t is the ray's
+/// own: see BoxRay.
 struct Candidate {
     std::uint32_t surface;
     bool sure;
@@ -21,7 +21,7 @@ struct Candidates {
     static constexpr int most = 12;
 
     int count = 0;
-    bool too_many = false;  ///< more than there is place for: the list is not whole
+    bool too_many = false;                                  ///< more than there is place for: the list is not whole
     double high = std::numeric_limits<double>::infinity();  ///< the ray surely meets one at a t no larger than this
     Candidate list[most];
 

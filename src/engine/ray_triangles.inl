@@ -9,8 +9,8 @@ struct MayMeet {
 /// A ray as it is held against triangles: its axes renamed, so that its direction is longest along z, and everything
 /// sheared along x and y, so that the direction becomes (0, 0, D.z). Side products are then those of two dimensions
 /// (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). Its start is off by `start_error` at most.
-/// `farthest` is no less than any coordinate of a vertex as seen from there. What begins at a t of `from` or before does
-/// not count.
+/// `farthest` is no less than any coordinate of a vertex as seen from there. What begins at a t of `from` or before
+/// does not count.
 struct ShearedRay {
     std::size_t x, y, z;
     double P_x, P_y, P_z, shear_x, shear_y, per_D_z, start_error, from, coarse_E;
@@ -29,7 +29,17 @@ inline ShearedRay sheared(const BoxRay& from, double farthest) {
     if (std::abs(D[2]) > std::abs(D[z])) z = 2;
     const std::size_t x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
     const double per_D_z = 1 / D[z];
-    return {x, y, z, P[x], P[y], P[z], D[x] * per_D_z, D[y] * per_D_z, per_D_z, from.start_error, -from.shift,
+    return {x,
+            y,
+            z,
+            P[x],
+            P[y],
+            P[z],
+            D[x] * per_D_z,
+            D[y] * per_D_z,
+            per_D_z,
+            from.start_error,
+            -from.shift,
             side_error(farthest, from.start_error)};
 }
 
@@ -38,7 +48,8 @@ struct ShearedCorner {
     Doubles x, y, z, size;  ///< `size`: the largest coordinate before they were sheared
 
     HWY_ATTR ShearedCorner(const ShearedRay& ray, const double (&of)[3][fan_out], std::size_t at) {
-        const Doubles seen_x = Doubles::load(of[ray.x] + at) - ray.P_x, seen_y = Doubles::load(of[ray.y] + at) - ray.P_y;
+        const Doubles seen_x = Doubles::load(of[ray.x] + at) - ray.P_x,
+                      seen_y = Doubles::load(of[ray.y] + at) - ray.P_y;
         z = Doubles::load(of[ray.z] + at) - ray.P_z;
         x = seen_x - z * ray.shear_x;
         y = seen_y - z * ray.shear_y;
@@ -49,7 +60,8 @@ struct ShearedCorner {
 /// The triangles of a block that the ray may meet at a t of `before` or less.
 ///
 /// With m the largest coordinate of the corners as seen from P:
-/// - Sheared coordinates are at most 2m, and off by 7um: u|A.x| and 4u|A.z D.x/D.z| for what they are computed from, and
+/// - Sheared coordinates are at most 2m, and off by 7um: u|A.x| and 4u|A.z D.x/D.z| for what they are computed from,
+/// and
 ///   their own rounding, 2um. So a side product, a difference of two products, is off by 4·2m·7um and by its own
 ///   rounding, 16um²: together less than E = 80um². Its sign is sure where it is farther from 0.
 /// - A corner's tᵢ = z/D.z is off by F = 4um/|D.z| at most.
@@ -77,8 +89,8 @@ HWY_INLINE HWY_ATTR MayMeet may_meet(const ShearedRay& ray, const Block& block, 
         const Doubles nearest = min(min(t_A, t_B), t_C), farthest = max(max(t_A, t_B), t_C);
         const Doubles sum = a + b + c, per_sum = 1.0 / sum;
         const Doubles middle = (a * t_A + b * t_B + c * t_C) * per_sum;
-        const Doubles off = 6 * E * (farthest - nearest + 2 * F) * abs(per_sum) + F +
-                            0x1p-48 * max(abs(nearest), abs(farthest));
+        const Doubles off =
+            6 * E * (farthest - nearest + 2 * F) * abs(per_sum) + F + 0x1p-48 * max(abs(nearest), abs(farthest));
         const auto one_sign = (max(least, -most) > E) & (abs(sum) > 7 * E) & (m > 0x1p-150);
         constexpr double wider = 1 + 0x1p-40;  // for the bounds' own rounding
         const Doubles t_low = select(one_sign, middle - off * wider, nearest - F * wider),

@@ -10,8 +10,8 @@
 
 namespace glassbox::engine {
 
-/// A number that is linear in x, a point relative to the engine's middle and within its near reach: between w·x + low and
-/// w·x + high, whatever floats lose.
+/// A number that is linear in x, a point relative to the engine's middle and within its near reach: between w·x + low
+/// and w·x + high, whatever floats lose.
 struct Bounds {
     float w[3], low, high;
 };

@@ -61,7 +61,8 @@ std::optional<Grid> grid(const Vec3<double>& given_eye, const ViewingPlane<doubl
     const Vec3<double> terms = plane_sizes(plane, width, height);
     g.ray_error = 12 * u * sum(terms);
     const double direction = sum(terms);
-    if (!set_scales(g, direction, static_cast<double>(engine.near_reach()) + greatest(sizes(eye - engine.middle())))) return {};
+    if (!set_scales(g, direction, static_cast<double>(engine.near_reach()) + greatest(sizes(eye - engine.middle()))))
+        return {};
     const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
     // A side product's terms add up to at most 2m²|D|, each rounded seven times; and B × A is at most 2m² along each
     // axis.
@@ -83,7 +84,8 @@ std::optional<Grid> grid(const Parallel<double>& given, int width, int height, c
     g.ray_error = 12 * u * sum(terms);
     const double direction = sum(sizes(view.direction)), thickest = greatest(sizes(view.direction));
     const ViewingPlane<double> seen{view.plane.corner - engine.middle(), view.plane.right, view.plane.up};
-    if (!set_scales(g, direction, static_cast<double>(engine.near_reach()) + greatest(plane_sizes(seen, width, height))))
+    if (!set_scales(g, direction,
+                    static_cast<double>(engine.near_reach()) + greatest(plane_sizes(seen, width, height))))
         return {};
     const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
     g.side1 = g.direction_scale * 20 * u * direction;

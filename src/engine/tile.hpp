@@ -45,7 +45,8 @@ struct Grid {
 
     /// The engine's t, at its scale and along the directions above, is that of the view's rays times this.
     double t_scale = 1;
-    /// What key is to that t: key = key_of_t/t in a pinhole's view, −key_of_t·t in a parallel one. A larger key is nearer.
+    /// What key is to that t: key = key_of_t/t in a pinhole's view, −key_of_t·t in a parallel one. A larger key is
+    /// nearer.
     double key_of_t = 1;
 };
 

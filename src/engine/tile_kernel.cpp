@@ -78,7 +78,8 @@ HWY_INLINE HWY_ATTR Mask<FanOfFloats::Tag> holds_a_ray(const Extent& extent) {
 HWY_INLINE HWY_ATTR std::uint32_t beyond_reach(const Node& node, float near_reach, std::size_t at) {
     FanOfFloats most = 0.0f;
     for (int k = 0; k < 3; ++k)
-        most = max(most, max(-FanOfFloats::load(node.side[Node::lo][k] + at), FanOfFloats::load(node.side[Node::hi][k] + at)));
+        most = max(
+            most, max(-FanOfFloats::load(node.side[Node::lo][k] + at), FanOfFloats::load(node.side[Node::hi][k] + at)));
     return bits_of((most > near_reach) & (most < std::numeric_limits<float>::infinity()));
 }
 

@@ -31,8 +31,8 @@ public:
         }
     }
 
-    /// The same for two or more with entries ≥ 0, of which the nearest is not pushed but returned. Up to four are sorted
-    /// without a branch: which of them is the nearest nobody can foresee.
+    /// The same for two or more with entries ≥ 0, of which the nearest is not pushed but returned. Up to four are
+    /// sorted without a branch: which of them is the nearest nobody can foresee.
     std::uint32_t push_all_but_nearest(const Node& node, std::uint32_t children, const float (&entries)[fan_out]) {
         Ordered a = take(node, children, entries), b = take(node, children, entries);
         sort(a, b);

@@ -10,7 +10,8 @@ namespace glassbox {
 
 /// A header, as it was when what it computes was compiled.
 struct SourceFile {
-    std::string_view path;  ///< of ours, from the folder `src` on: "core/1-rays/vec3.hpp"; of a learner's: "my/2-spheres/chord.hpp"
+    std::string_view
+        path;  ///< of ours, from the folder `src` on: "core/1-rays/vec3.hpp"; of a learner's: "my/2-spheres/chord.hpp"
     std::string_view text;
 };
 

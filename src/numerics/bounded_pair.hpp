@@ -7,13 +7,14 @@
 
 namespace glassbox {
 
-/// A number as the sum of two doubles, about 106 binary digits, with a bound on its error: |true − (high + low)| ≤ error,
-/// guaranteed through every operation, like Bounded, at some five times its cost: a hundredth of what exact arithmetic
-/// takes. What doubles leave open it nearly always decides.
+/// A number as the sum of two doubles, about 106 binary digits, with a bound on its error: |true − (high + low)| ≤
+/// error, guaranteed through every operation, like Bounded, at some five times its cost: a hundredth of what exact
+/// arithmetic takes. What doubles leave open it nearly always decides.
 ///
-/// What a sum of doubles lacks is a double itself (Knuth), and so is what a product lacks (Dekker; here by std::fma). The
-/// parts that come to it are rounded, each by at most u of itself, u = 2⁻⁵³; those are added to the bound. See Joldes,
-/// Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic" (2017).
+/// What a sum of doubles lacks is a double itself (Knuth), and so is what a product lacks (Dekker; here by std::fma).
+/// The parts that come to it are rounded, each by at most u of itself, u = 2⁻⁵³; those are added to the bound. See
+/// Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic"
+/// (2017).
 class BoundedPair {
 public:
     BoundedPair() = default;
@@ -36,8 +37,8 @@ public:
         const double product = a.high_ * b.high_;
         const double first = a.high_ * b.low_, second = a.low_ * b.high_, middle = first + second;
         const double rest = std::fma(a.high_, b.high_, -product) + middle;
-        const double rounding = u * (std::abs(first) + std::abs(second) + std::abs(middle) + std::abs(rest)) +
-                                std::abs(a.low_ * b.low_);
+        const double rounding =
+            u * (std::abs(first) + std::abs(second) + std::abs(middle) + std::abs(rest)) + std::abs(a.low_ * b.low_);
         const double inherited = a.size() * b.error_ + b.size() * a.error_ + a.error_ * b.error_;
         return pair(product, rest, Bounded::up(inherited + rounding) + Bounded::underflow);
     }
@@ -56,7 +57,8 @@ public:
 
     /// Covers the part of the interval that has a root. A true number below it has none, and no caller uses one.
     friend BoundedPair sqrt(const BoundedPair& x) {
-        if (!(x.high_ > 0)) return {0, 0, Bounded::up(std::sqrt(Bounded::up(x.size() + x.error_))) + Bounded::underflow};
+        if (!(x.high_ > 0))
+            return {0, 0, Bounded::up(std::sqrt(Bounded::up(x.size() + x.error_))) + Bounded::underflow};
         const double first = std::sqrt(x.high_);
         const double second = (x - BoundedPair(first) * BoundedPair(first)).high_ / (2 * first);
         const BoundedPair root = pair(first, second, 0);
@@ -81,7 +83,9 @@ public:
     friend Kleene operator>=(const BoundedPair& a, const BoundedPair& b) { return !(a < b); }
     friend Kleene operator!=(const BoundedPair& a, const BoundedPair& b) {
         const Kleene below = a < b, above = b < a;
-        return surely(below) || surely(above) ? Kleene(true) : (!possibly(below) && !possibly(above) ? Kleene(false) : Kleene::undecided());
+        return surely(below) || surely(above)
+                   ? Kleene(true)
+                   : (!possibly(below) && !possibly(above) ? Kleene(false) : Kleene::undecided());
     }
     friend Kleene operator==(const BoundedPair& a, const BoundedPair& b) { return !(a != b); }
 

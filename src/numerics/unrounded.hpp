@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-/// A double that knows whether anything was rounded on the way to it. Where nothing was, a formula's sign is exact, at a
-/// few times the cost of double: so is often the case where coordinates have few digits, as on grids, and it is just
+/// A double that knows whether anything was rounded on the way to it. Where nothing was, a formula's sign is exact, at
+/// a few times the cost of double: so is often the case where coordinates have few digits, as on grids, and it is just
 /// there that numbers are exactly 0.
 class Unrounded {
 public:

@@ -50,8 +50,10 @@ struct Inspection {
             const Node& node = tree.nodes[child];
             for (int i = 0; i < fan_out; ++i) {
                 if (node.child[i] == Child::nothing) continue;
-                const float its_lo[3] = {node.side[Node::lo][0][i], node.side[Node::lo][1][i], node.side[Node::lo][2][i]};
-                const float its_hi[3] = {node.side[Node::hi][0][i], node.side[Node::hi][1][i], node.side[Node::hi][2][i]};
+                const float its_lo[3] = {node.side[Node::lo][0][i], node.side[Node::lo][1][i],
+                                         node.side[Node::lo][2][i]};
+                const float its_hi[3] = {node.side[Node::hi][0][i], node.side[Node::hi][1][i],
+                                         node.side[Node::hi][2][i]};
                 for (int k = 0; k < 3; ++k) outside += its_lo[k] < lo[k] || its_hi[k] > hi[k];
                 inspect(node.child[i], its_lo, its_hi);
             }
@@ -110,7 +112,8 @@ TEST_CASE("surfaces come out as they went in") {
 }
 
 TEST_CASE("of surfaces that are the same the last is kept, and the others are its copies") {
-    const Triangle<double> one{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, turned{one.B, one.C, one.A}, mirrored{one.B, one.A, one.C};
+    const Triangle<double> one{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, turned{one.B, one.C, one.A},
+        mirrored{one.B, one.A, one.C};
     // In one plane and one box, but another triangle.
     const Triangle<double> other{{1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<Sphere<double>> spheres{{{0, 0, 0}, 1}, {{0, 0, 0}, 2}, {{0, 0, 0}, 1}};

@@ -1,4 +1,5 @@
-// What the engine says of a single ray, against exact arithmetic: of each surface whether it is met, and between which t.
+// What the engine says of a single ray, against exact arithmetic: of each surface whether it is met, and between which
+// t.
 #include "engine/ray_kernel.hpp"
 
 #include <doctest.h>
@@ -75,7 +76,8 @@ void check_any(Counts& counts, const Few& few, const engine::Engine& engine, con
             counts.wrong += few.crossing(ray, surface).has_value();
 }
 
-/// Surfaces of that size, and rays at a vertex, an edge, the inside or the rim of one of them, as nearly as doubles can.
+/// Surfaces of that size, and rays at a vertex, an edge, the inside or the rim of one of them, as nearly as doubles
+/// can.
 void check(Counts& counts, double size, double away, double distance, double speed, test::Doubles& random) {
     Few few;
     const Vec3<double> middle = test::some_vector(random, away);
@@ -115,7 +117,8 @@ TEST_CASE("ray_kernel: what it says of a ray and each surface is so, and it says
     }
     CHECK(counts.wrong == 0);
     CHECK(counts.hits > counts.rays / 2);
-    // Rays aimed at vertices, edges and rims, three in four, may not be told; those at insides are, unless surfaces cross.
+    // Rays aimed at vertices, edges and rims, three in four, may not be told; those at insides are, unless surfaces
+    // cross.
     CHECK(counts.told > counts.rays / 8);
 }
 

@@ -97,7 +97,8 @@ void check_rays(SightCounts& counts, const engine::Engine& engine, const View& v
         for (int j = 0; j < engine::tile_side; ++j) {
             const Ray<double> ray = pixel_ray(view, column + j, height - 1 - (row + i), height);
             // What is linear in the way from `start`: the ray's point at the grid's t = 1, where it is D itself from an
-            // eye. The grid is at the engine's scale s, and its t is t_scale times the ray's: there it is s(P + D/t_scale).
+            // eye. The grid is at the engine's scale s, and its t is t_scale times the ray's: there it is s(P +
+            // D/t_scale).
             const Exact s(engine.scale()), of_D(engine.scale() / grid->t_scale);
             const Vec3<Exact> y = s * exact(ray.P) + of_D * exact(ray.D) - exact(start);
             const Place found = place(y, exact(D), exact(grid->right), exact(grid->up));

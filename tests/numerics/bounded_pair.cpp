@@ -1,4 +1,5 @@
-// BoundedPair keeps its promise, |true − (high + low)| ≤ error, and Unrounded its own, against numbers without any rounding.
+// BoundedPair keeps its promise, |true − (high + low)| ≤ error, and Unrounded its own, against numbers without any
+// rounding.
 #include "numerics/bounded_pair.hpp"
 
 #include <doctest.h>
@@ -73,8 +74,8 @@ TEST_CASE("BoundedPair: the true number lies within the bound, of ordinary numbe
         sharp += b.error <= 0x1p-52 * std::abs(b.value);
     }
     CHECK(wrong == 0);
-    // Five operations lose 2⁻¹⁰⁰ of the largest number among them, which cancellation would have to make as small as 2⁻⁵³
-    // of it before the double nearest to the sum were in doubt.
+    // Five operations lose 2⁻¹⁰⁰ of the largest number among them, which cancellation would have to make as small as
+    // 2⁻⁵³ of it before the double nearest to the sum were in doubt.
     CHECK(sharp > rounds * 9 / 10);
 }
 
@@ -122,9 +123,7 @@ TEST_CASE("Unrounded: what it calls exact is, and on a grid it says so") {
     for (int i = 0; i < rounds; ++i) {
         // Whole numbers below 2¹⁵, in half of the cases: products of three and their sums are below 2⁵³.
         const bool on_grid = i % 2 == 0;
-        const auto make = [&] {
-            return on_grid ? static_cast<double>(random.below(32768)) - 16384 : random.any();
-        };
+        const auto make = [&] { return on_grid ? static_cast<double>(random.below(32768)) - 16384 : random.any(); };
         const double a = make(), b = make(), c = make(), d = make();
         const Unrounded s = Unrounded(a) * Unrounded(b) * Unrounded(c) - Unrounded(d) * (Unrounded(a) + Unrounded(b));
         const Exact truth = Exact(a) * Exact(b) * Exact(c) - Exact(d) * (Exact(a) + Exact(b));

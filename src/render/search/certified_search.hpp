@@ -102,7 +102,9 @@ public:
             }
         };
         if (list.no_bounds || is_within(list.reach, ray))
-            test_all([&](const auto& shape, std::size_t number) -> const auto& { return list.listed_errors(shape, number); });
+            test_all([&](const auto& shape, std::size_t number) -> const auto& {
+                return list.listed_errors(shape, number);
+            });
         else test_all([&](const auto& shape, std::size_t) { return errors_for(ray, shape); });
         return best;
     }

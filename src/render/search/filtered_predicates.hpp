@@ -29,11 +29,14 @@ struct ProvenHit {
     double told_t;  ///< t as it was found first: the same whatever else the ray meets
     /// Between these the true t lies; both are nearly t, for a triangle that is hit for sure.
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
-    Support support = {};  ///< of a triangle, the corners that its point lies between, if it is known to lie between fewer
+    Support support =
+        {};  ///< of a triangle, the corners that its point lies between, if it is known to lie between fewer
 };
 
 /// A sphere moved so that P becomes the origin.
-inline Sphere<double> seen_from(const Vec3<double>& P, const Sphere<double>& sphere) { return {sphere.C - P, sphere.r}; }
+inline Sphere<double> seen_from(const Vec3<double>& P, const Sphere<double>& sphere) {
+    return {sphere.C - P, sphere.r};
+}
 
 /// The error bounds of one ray's test: those of the surface as seen from its start, the origin then. Moving it there
 /// rounds each coordinate once, as the formulas do; far from the world's origin the bounds are so much closer.
@@ -43,8 +46,9 @@ auto errors_for(const Ray<double>& ray, const Shape& surface) {
 }
 
 /// Decides whether a ray meets a surface, and which of two it meets first. Correct always. Tries double with an
-/// a-priori bound, then Bounded, then BoundedPair, then Exact, each only where the one before leaves the answer open; all
-/// of them run the core's own formulas. Surfaces at the same distance are compared exactly; of equals the one listed last wins.
+/// a-priori bound, then Bounded, then BoundedPair, then Exact, each only where the one before leaves the answer open;
+/// all of them run the core's own formulas. Surfaces at the same distance are compared exactly; of equals the one
+/// listed last wins.
 ///
 /// `Store` keeps the surfaces: `with_surface(number, use)` calls `use` with one of them, and `errors(surface, number,
 /// ray)` bounds the rounding of the doubles that decide about it.
@@ -236,7 +240,8 @@ private:
         return with_rule(surface, [&](const auto& shape, const auto& rule) -> Answer {
             if (const auto ordinary = at_ordinary_scale(ray, shape)) {
                 const auto errors = [&] { return errors_for(ordinary->ray, ordinary->shape); };
-                return at_given_scale(by_filter(ordinary->ray, ordinary->shape, rule, surface, errors), ordinary->per_t);
+                return at_given_scale(by_filter(ordinary->ray, ordinary->shape, rule, surface, errors),
+                                      ordinary->per_t);
             }
             return by_filter(ray, shape, rule, surface, [&] { return store_.errors(shape, surface, ray); });
         });
@@ -294,8 +299,8 @@ private:
     static Bounded to_bounded(const Bounded& t) { return t; }
     static Bounded to_bounded(const BoundedPair& t) { return t.to_bounded(); }
 
-    /// Where doubles happen to hold all digits of the side products their signs are exact, zeros too. Before stage 3, which
-    /// is `by_running_bounds<BoundedPair>`.
+    /// Where doubles happen to hold all digits of the side products their signs are exact, zeros too. Before stage 3,
+    /// which is `by_running_bounds<BoundedPair>`.
     Answer by_doubles_without_rounding(const Ray<double>& ray, std::size_t surface) const {
         return store_.with_surface(surface, [&](const auto& shape) -> Answer {
             if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Triangle<double>>) {
@@ -351,11 +356,11 @@ private:
 
     /// Between which t the ray meets a triangle, if it does so for sure.
     ///
-    /// Where the side products are surely of one sign the line goes through the triangle. t is the mean of the vertices'
-    /// tᵢ = D·A/D², weighted by the side products wᵢ. If these are wrong by E at most, the mean is by Σ(ŵᵢ − wᵢ)(tᵢ −
-    /// t)/Σwᵢ: no more than 3E (max t − min t)/(Σ|ŵ| − 3E); tᵢ is by errors.distance/D². What else is rounded is less
-    /// than 2⁻⁴⁵ of the largest tᵢ. Where the weights are no larger than their errors their sum may be anything above 0,
-    /// and there is no bound. The ray meets the triangle where all of that range lies ahead.
+    /// Where the side products are surely of one sign the line goes through the triangle. t is the mean of the
+    /// vertices' tᵢ = D·A/D², weighted by the side products wᵢ. If these are wrong by E at most, the mean is by Σ(ŵᵢ −
+    /// wᵢ)(tᵢ − t)/Σwᵢ: no more than 3E (max t − min t)/(Σ|ŵ| − 3E); tᵢ is by errors.distance/D². What else is rounded
+    /// is less than 2⁻⁴⁵ of the largest tᵢ. Where the weights are no larger than their errors their sum may be anything
+    /// above 0, and there is no bound. The ray meets the triangle where all of that range lies ahead.
     std::optional<Range> sure_range(const Ray<double>& ray, const Triangle<double>& triangle,
                                     const filter::TriangleErrors& errors, double least_side) const {
         if (!(least_side > errors.side)) return {};

@@ -41,7 +41,7 @@ inline bool has_corners(const Triangle<double>& triangle, const Triangle<double>
 /// Whether all corners of both triangles lie in one plane, if that is seen without rounding: along an axis, or by the
 /// volumes that the corners of one have above the other.
 inline bool are_coplanar(const Triangle<double>& one, const Triangle<double>& other) {
-    const auto flat = [&](double Vec3<double>::* k) {
+    const auto flat = [&](double Vec3<double>::*k) {
         const double x = one.A.*k;
         return one.B.*k == x && one.C.*k == x && other.A.*k == x && other.B.*k == x && other.C.*k == x;
     };
