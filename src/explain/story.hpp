@@ -118,7 +118,7 @@ struct Shade {
 struct FirstHit {
     std::size_t surface = 0;
     Number t;
-    bool t_by_exact = false;  ///< t is the true value rounded once, not the steps' result
+    bool t_by_exact = false;  ///< t is not the steps' result: it was found with more digits, or at another scale
     Vector point, normal;
     std::optional<Shade> shade;       ///< from stage 4
     std::vector<StoryStep> steps;     ///< from the surface's test on

@@ -215,7 +215,8 @@ TEST_CASE("numbers beyond all doubles") {
     options.scalar = Scalar::certified;
     const Story certified = explain(scene, options, 300, 200);
     CHECK(certified.surfaces.at(0).fate == Fate::nearest);
-    CHECK(certified.surfaces.at(0).needed_exact);
+    // At an ordinary scale, all lengths multiplied by a power of two, the bounds of doubles decide.
+    CHECK(!certified.surfaces.at(0).needed_exact);
     CHECK(certified.hit->t_by_exact);
     CHECK(certified.hit->t.value == 500);
     if (std::numeric_limits<long double>::max_exponent < 2000) return;

@@ -343,7 +343,7 @@ TEST_CASE("in words: where there are no boxes") {
     CHECK(nothing.words(0).boxes == "no boxes: there are no surfaces");
     CHECK_FALSE(nothing.boxes.shown());
     Scene scene;
-    scene.spheres = {{{0, 0, 0}, 1e40, {}}};
+    scene.spheres = {{{0, 0, 0}, 1e305, {}}};
     Shown large(scene);
     CHECK(large.words(0).boxes == "no boxes: the one surface is too large for one, and always tested");
     scene.spheres.push_back({{0, 0, 0}, 1, {}});

@@ -233,7 +233,7 @@ TEST_CASE("a wrong answer is a step that failed") {
     const auto failed = std::find_if(learner.mine().timeline.begin(), learner.mine().timeline.end(),
                                      [](const Event& event) { return event.failed; });
     REQUIRE(failed != learner.mine().timeline.end());
-    CHECK(failed->what == "surface 0: missed: behind the start, t = -50 is not > 0; but truly it is met");
+    CHECK(failed->what == "surface 0: missed: behind the start, t = −50 is not > 0; but truly it is met");
 }
 
 TEST_CASE("a crash is the last event, after the step and line where it happened") {

@@ -57,7 +57,7 @@ public:
             for (std::size_t i = 0; i < engine().size(); ++i) way.test(i);
             return way.best;
         }
-        if constexpr (OnlyFirstHit<Probe>) {
+        if constexpr (OnlyFirstHit<Probe> && !HearsBoxes<Probe>) {
             const engine::Candidates found = engine::first_candidates(engine(), *boxes);
             if (found.is_told() && engine().loose().empty()) return proven(ray, *boxes, found, probe);
             if (!found.too_many) return way.first_of(found);
@@ -171,7 +171,7 @@ private:
                 }
             } else {
                 for (std::uint32_t at = 0; at < block.count; ++at) {
-                    search.predicates_.test(best, ray, block.triangle(at), block.surface[at], probe);
+                    test(block.surface[at]);
                     test_copies_of(block.surface[at]);
                 }
             }

@@ -238,7 +238,7 @@ private:
     /// again.
     Answer by_filter(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface, [&](const auto& shape, const auto& rule) -> Answer {
-            if (const auto ordinary = at_ordinary_scale(ray, shape)) {
+            if (const auto ordinary = at_scale(ray, shape)) {
                 const auto errors = [&] { return errors_for(ordinary->ray, ordinary->shape); };
                 return at_given_scale(by_filter(ordinary->ray, ordinary->shape, rule, surface, errors),
                                       ordinary->per_t);
@@ -257,6 +257,14 @@ private:
         const std::optional<Range> t = sure_range(ray, shape, errors(), numbers.of_a_hit);
         if (!t) return {};
         return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, t->least, t->most}};
+    }
+
+    /// At an ordinary scale, unless the rule has a length of its own.
+    template <class Shape>
+    std::optional<AtOrdinaryScale<Shape>> at_scale(const Ray<double>& ray, const Shape& shape) const {
+        if constexpr (std::is_same_v<Shape, Triangle<double>>)
+            if (std::holds_alternative<Tolerance>(triangle_rule_.rule)) return {};
+        return at_ordinary_scale(ray, shape);
     }
 
     /// An answer whose t are multiplied by a power of two; none where that loses digits.
@@ -281,7 +289,7 @@ private:
     template <class Number>
     Answer by_running_bounds(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface, [&](const auto& shape, const auto& rule) {
-            const auto ordinary = at_ordinary_scale(ray, shape);
+            const auto ordinary = at_scale(ray, shape);
             if (!ordinary) return by_running_bounds<Number>(ray, shape, rule, surface);
             return at_given_scale(by_running_bounds<Number>(ordinary->ray, ordinary->shape, rule, surface),
                                   ordinary->per_t);

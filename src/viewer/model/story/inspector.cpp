@@ -242,7 +242,7 @@ InspectorPart hit_part(const Story& story, const FirstHit& hit) {
     InspectorPart result = part("The hit", fmt::format("surface {}", hit.surface));
     result.number = count("/hit/surface", static_cast<double>(hit.surface));
     InspectorRow t = barred("t", "/hit/t", hit.t, false);
-    if (hit.t_by_exact) t.note += ", found in exact arithmetic";
+    if (hit.t_by_exact) t.note += ", not by these steps: they have too few digits, or overflow";
     result.rows.push_back(std::move(t));
     result.rows.push_back(row("point", "/hit/point", hit.point, "P + tD"));
     for (std::size_t i = 0; i < story.surfaces.size(); ++i) {
