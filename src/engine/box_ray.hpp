@@ -33,12 +33,16 @@ struct BoxRay {
     float near_from[3], far_from[3], inverse[3], exit_inverse[3];
     std::uint32_t near_side[3];  ///< Node::lo, or where d < 0 Node::hi
 
-    Ray<double> ray;         ///< its start, off by `start_error` along each axis at most, and d
+    double P[3], d[3];       ///< its start, off by `start_error` along each axis at most, and its direction
     double start_error = 0;  ///< 0 where it was not moved
-    double scale = 1, shift = 0;
+    double scale = 1, per_scale = 1, shift = 0;
     bool as_given = true;  ///< neither moved nor at another scale, but for d, nor of a length far from 1
 
     static constexpr float exit_factor = 1 + 0x1p-20f;
+
+    BoxRay() {}  // not `= default`, by which all would be set to 0 first, at a tenth of a ray's time
+
+    Ray<double> ray() const { return {{P[0], P[1], P[2]}, {d[0], d[1], d[2]}}; }
 
     /// The ray's own t, between which and what is given a bound must allow for rounding.
     double own_t(double t) const { return t * scale - shift; }
@@ -57,7 +61,7 @@ struct BoxRay {
 private:
     double given_t(double own, double side) const {
         const double sum = own + shift;
-        return (sum + side * 0x1p-50 * (std::abs(own) + std::abs(shift))) / scale + side * 0x1p-1060;
+        return (sum + side * 0x1p-50 * (std::abs(own) + std::abs(shift))) * per_scale + side * 0x1p-1060;
     }
 };
 
@@ -87,51 +91,61 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
     return {sum + rest, (std::abs(from) + std::abs(product)) * 0x1p-98 + std::abs(sum + rest) * 0x1p-52};
 }
 
+/// Moves a ray's start, and what the hierarchy's boxes are tested with, to where the hierarchy begins, if the ray comes
+/// from outside; false where floats could not say even then where it starts. For rays that start far off.
+[[gnu::noinline]] inline bool move_near(BoxRay& result, const Engine& engine, double (&start)[3], double (&error)[3]) {
+    const double size = engine.reach();
+    const double middle[3] = {engine.middle().x, engine.middle().y, engine.middle().z};
+    const double P[3] = {result.P[0], result.P[1], result.P[2]};
+    const double(&d)[3] = result.d;
+    const int main_axis = std::abs(d[0]) >= 1 ? 0 : std::abs(d[1]) >= 1 ? 1 : 2;
+    const double begin = d[main_axis] > 0 ? engine.around().lo[main_axis] : engine.around().hi[main_axis];
+    const auto farthest = [&] { return std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}); };
+    for (int times = 0; times < 2; ++times) {  // the second from nearby, with more digits
+        const double entry = (begin - start[main_axis]) / d[main_axis] - (farthest() + size) * 0x1p-48;
+        if (!(entry > 0)) break;
+        result.shift = (result.shift + entry) * (1 - 0x1p-52);
+        result.as_given = false;
+        result.start_error = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Approximately moved = moved_along(P[k], middle[k], result.shift, d[k]);
+            start[k] = moved.value;
+            error[k] = moved.error;
+            result.P[k] = middle[k] + start[k];
+            result.start_error = std::max(result.start_error, error[k] + std::abs(result.P[k]) * 0x1p-52);
+        }
+    }
+    return farthest() < 0x1p100;
+}
+
 /// Nothing for a ray whose numbers are so large, so small or so different from each other that the bounds above fail.
 /// `ray` must be valid.
 inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engine) {
     std::optional<BoxRay> made;  // filled in place: a copy would wait for it to be written
-    const double size = static_cast<double>(engine.around().reach()), s = engine.scale();
-    const double middle[3] = {engine.middle().x, engine.middle().y, engine.middle().z};
-    const double P[3] = {s * ray.P.x, s * ray.P.y, s * ray.P.z}, D[3] = {ray.D.x, ray.D.y, ray.D.z};
-    double start[3] = {P[0] - middle[0], P[1] - middle[1], P[2] - middle[2]};  // from now on relative to the middle
-    const double longest = std::max({std::abs(D[0]), std::abs(D[1]), std::abs(D[2])});
+    const double size = engine.reach(), s = engine.scale();
+    const Vec3<double>& middle = engine.middle();
+    const auto& [x, y, z] = ray.D;
+    const double longest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+    const double power = power_of_two(longest), to_unit = inverse_power_of_two(power), scale = s * power;
+    // From now on relative to the middle.
+    double start[3] = {s * ray.P.x - middle.x, s * ray.P.y - middle.y, s * ray.P.z - middle.z};
     const double farthest = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])});
-    const double to_unit = inverse_power_of_two(power_of_two(longest)), scale = s * power_of_two(longest);
     if (!(size > 0x1p-50 && longest > 0x1p-1000 && longest < 0x1p1000 && scale > 0x1p-1000 && scale < 0x1p1000 &&
           farthest < 0x1p300))
         return made;
 
     BoxRay& result = made.emplace();
-    result.scale = scale;
-    const double d[3] = {D[0] * to_unit, D[1] * to_unit, D[2] * to_unit};
-    double error[3] = {std::abs(start[0]) * 0x1p-52, std::abs(start[1]) * 0x1p-52, std::abs(start[2]) * 0x1p-52};
-    result.ray = {{P[0], P[1], P[2]}, {d[0], d[1], d[2]}};
-    result.as_given = s == 1 && longest > 0x1p-90 && longest < 0x1p90;
-    if (farthest > 8 * size) {
-        const Box& around = engine.around();
-        const int main_axis = std::abs(D[0]) == longest ? 0 : std::abs(D[1]) == longest ? 1 : 2;
-        const double begin = D[main_axis] > 0 ? around.lo[main_axis] : around.hi[main_axis];
-        for (int times = 0; times < 2; ++times) {  // the second from nearby, with more digits
-            const double from = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])});
-            const double entry = (begin - start[main_axis]) / d[main_axis] - (from + size) * 0x1p-48;
-            if (!(entry > 0)) break;
-            result.shift = (result.shift + entry) * (1 - 0x1p-52);
-            result.as_given = false;
-            result.start_error = 0;
-            double at[3];
-            for (int k = 0; k < 3; ++k) {
-                const Approximately moved = moved_along(P[k], middle[k], result.shift, d[k]);
-                start[k] = moved.value;
-                error[k] = moved.error;
-                at[k] = middle[k] + start[k];
-                result.start_error = std::max(result.start_error, error[k] + std::abs(at[k]) * 0x1p-52);
-            }
-            result.ray.P = {at[0], at[1], at[2]};
-        }
+    const double P[3] = {s * ray.P.x, s * ray.P.y, s * ray.P.z}, d[3] = {x * to_unit, y * to_unit, z * to_unit};
+    for (int k = 0; k < 3; ++k) {
+        result.P[k] = P[k];
+        result.d[k] = d[k];
     }
-    if (!(std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) < 0x1p100)) {
-        made.reset();  // floats could not say where it starts
+    result.scale = scale;
+    result.per_scale = inverse_power_of_two(scale);
+    result.as_given = s == 1 && longest > 0x1p-90 && longest < 0x1p90;
+    double error[3] = {std::abs(start[0]) * 0x1p-52, std::abs(start[1]) * 0x1p-52, std::abs(start[2]) * 0x1p-52};
+    if (farthest > 8 * size && !move_near(result, engine, start, error)) {
+        made.reset();
         return made;
     }
     for (int k = 0; k < 3; ++k) {

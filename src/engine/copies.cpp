@@ -9,13 +9,15 @@ namespace glassbox::engine {
 
 namespace {
 
-std::uint64_t hash(const Boxed& one) {
-    std::uint64_t sum = one.is_sphere ? 1 : 0;
-    for (const auto& side : {one.box.lo, one.box.hi})
-        for (const float x : std::span(side, 3))
-            sum = (sum ^ std::bit_cast<std::uint32_t>(x)) * 0x9E37'79B9'7F4A'7C15 + (sum >> 29);
-    return sum;
+std::uint64_t mixed(std::uint64_t x) {
+    x *= 0x9E37'79B9'7F4A'7C15;
+    return x ^ (x >> 29);
 }
+std::uint64_t hash(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }  // 0 for −0, which equals it
+std::uint64_t hash(const Vec3<double>& v) { return mixed(mixed(mixed(hash(v.x)) + hash(v.y)) + hash(v.z)); }
+std::uint64_t hash(const Sphere<double>& s) { return mixed(hash(s.C) + hash(s.r)); }
+/// The same in whatever order the corners are.
+std::uint64_t hash(const Triangle<double>& t) { return mixed(hash(t.A) + hash(t.B) + hash(t.C)); }
 
 /// Which hashes were seen, by a few of their bits: never that one was not which was.
 class Seen {
@@ -50,10 +52,13 @@ bool are_same(const Triangle<double>& a, const Triangle<double>& b) {
 std::vector<Copy> take_out_copies(std::vector<Boxed>& surfaces, std::span<const Sphere<double>> spheres,
                                   std::span<const Triangle<double>> triangles) {
     // Most scenes have none, so a look at a few bits of each surface's hash must tell that.
+    std::vector<std::uint64_t> hashes(surfaces.size());
+    std::ranges::transform(surfaces, hashes.begin(), [&](const Boxed& one) {
+        return one.is_sphere ? hash(spheres[one.surface]) : hash(triangles[one.surface - spheres.size()]);
+    });
     Seen once(surfaces.size());
     std::vector<std::uint64_t> twice;
-    for (const Boxed& one : surfaces) {
-        const std::uint64_t its = hash(one);
+    for (const std::uint64_t its : hashes) {
         if (once.has(its)) twice.push_back(its);
         once.add(its);
     }
@@ -67,9 +72,9 @@ std::vector<Copy> take_out_copies(std::vector<Boxed>& surfaces, std::span<const 
     std::vector<Suspect> suspects;
     Seen among(surfaces.size());
     for (const std::uint64_t its : twice) among.add(its);
-    for (const Boxed& one : surfaces)
-        if (const std::uint64_t its = hash(one); among.has(its) && std::ranges::binary_search(twice, its))
-            suspects.push_back({its, one});
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        if (among.has(hashes[i]) && std::ranges::binary_search(twice, hashes[i]))
+            suspects.push_back({hashes[i], surfaces[i]});
     // Equal hashes together, and of these the last listed first.
     std::ranges::sort(suspects, [](const Suspect& a, const Suspect& b) {
         return a.hash != b.hash ? a.hash < b.hash : a.one.surface > b.one.surface;
@@ -89,6 +94,7 @@ std::vector<Copy> take_out_copies(std::vector<Boxed>& surfaces, std::span<const 
         if (found != originals.end()) copies.push_back({found->surface, one.surface});
         else originals.push_back(one);
     }
+    if (copies.empty()) return {};
     std::vector<std::uint32_t> gone;
     for (const Copy& copy : copies) gone.push_back(copy.surface);
     std::ranges::sort(gone);

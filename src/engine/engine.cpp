@@ -126,6 +126,7 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
     }
     copies_ = take_out_copies(boxed, spheres_, triangles);
     for (const Boxed& one : boxed) around_.add(one.box);
+    reach_ = static_cast<double>(around_.reach());
     near_reach_ = reach_of_most(boxed, around_.reach());
     hierarchy_ = build(std::move(boxed), threads);
 

@@ -69,7 +69,9 @@ public:
     const Vec3<double>& middle() const { return middle_; }
     /// Around all surfaces of the hierarchy.
     const Box& around() const { return around_; }
-    /// How far from the middle nearly all of them reach; what lies beyond must not blur what floats say of the rest.
+    /// How far from the middle they reach along an axis, at most.
+    double reach() const { return reach_; }
+    /// How far nearly all of them do; what lies beyond must not blur what floats say of the rest.
     float near_reach() const { return near_reach_; }
     /// Surfaces so large that floats cannot hold their boxes: in no leaf, to be tested always.
     const std::vector<std::uint32_t>& loose() const { return loose_; }
@@ -119,6 +121,7 @@ private:
     Hierarchy hierarchy_;
     Vec3<double> middle_;
     Box around_;
+    double reach_ = 0;
     float near_reach_ = 0;
     std::vector<std::uint32_t> loose_;
     std::vector<Copy> copies_;

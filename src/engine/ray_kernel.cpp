@@ -21,10 +21,11 @@ namespace glassbox::engine::HWY_NAMESPACE {
 #include "engine/ray_spheres.inl"
 
 /// No coordinate of a vertex in the hierarchy as seen from the ray's start is larger.
-inline double farthest_corner(const Engine& engine, const glassbox::Ray<double>& ray) {
-    const glassbox::Vec3<double> P = ray.P - engine.middle();
-    return (std::max({std::abs(P.x), std::abs(P.y), std::abs(P.z)}) + static_cast<double>(engine.around().reach())) *
-           (1 + 0x1p-40);
+inline double farthest_corner(const Engine& engine, const BoxRay& ray) {
+    const glassbox::Vec3<double>& middle = engine.middle();
+    const double farthest =
+        std::max({std::abs(ray.P[0] - middle.x), std::abs(ray.P[1] - middle.y), std::abs(ray.P[2] - middle.z)});
+    return (farthest + engine.reach()) * (1 + 0x1p-40);
 }
 
 /// Traces one ray by itself; with `Any`, only until something is surely met.
@@ -32,7 +33,7 @@ template <bool Any>
 class RayKernel {
 public:
     HWY_ATTR RayKernel(const Engine& engine, const BoxRay& ray, Candidates& found)
-        : found_(found), engine_(engine), ray_(ray), sheared_(sheared(ray, farthest_corner(engine, ray.ray))) {}
+        : found_(found), engine_(engine), ray_(ray), sheared_(sheared(ray, farthest_corner(engine, ray))) {}
 
     HWY_ATTR void operator()() {
         const Hierarchy& hierarchy = engine_.hierarchy();

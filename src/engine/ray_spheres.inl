@@ -12,7 +12,7 @@ HWY_INLINE HWY_ATTR MayMeet may_meet(const BoxRay& from, const glassbox::Sphere<
         C[2][at] = sphere.C.z;
         r[at] = sphere.r;
     }
-    const Vec3<Doubles> P = broadcast(from.ray.P), D = broadcast(from.ray.D);
+    const Vec3<Doubles> P = broadcast(from.ray().P), D = broadcast(from.ray().D);
     const RayError off{2 * from.start_error, 0};
     const bool is_moved = from.shift != 0;
     const double from_the_start = -from.shift;

@@ -23,8 +23,7 @@ HWY_INLINE HWY_ATTR Number side_error(const Number& m, double start_error) {
 }
 
 inline ShearedRay sheared(const BoxRay& from, double farthest) {
-    const glassbox::Ray<double>& ray = from.ray;
-    const double P[3] = {ray.P.x, ray.P.y, ray.P.z}, D[3] = {ray.D.x, ray.D.y, ray.D.z};
+    const double(&P)[3] = from.P, (&D)[3] = from.d;
     std::size_t z = std::abs(D[1]) > std::abs(D[0]) ? 1 : 0;
     if (std::abs(D[2]) > std::abs(D[z])) z = 2;
     const std::size_t x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;

@@ -164,7 +164,7 @@ private:
             }
             const engine::Block& block = all.blocks()[index];
             if constexpr (OnlyVerdicts<Probe>) {
-                for (std::uint32_t rest = engine::not_missed(block, boxes->ray, boxes->start_error); rest != 0;
+                for (std::uint32_t rest = engine::not_missed(block, boxes->ray(), boxes->start_error); rest != 0;
                      rest &= rest - 1) {
                     search.predicates_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
                     test_copies_of(block.surface[std::countr_zero(rest)]);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include <ray.hpp>
 #include <sphere.hpp>
@@ -24,13 +25,11 @@ Vec3<Real> scaled(const Vec3<Real>& a, int n) {
     return Real(std::ldexp(1.0, n - n / 2)) * (Real(std::ldexp(1.0, n / 2)) * a);
 }
 
-/// Whether a vector's square is far from overflow and underflow, in any scalar.
-template <class Real>
-bool has_ordinary_square(const Vec3<Real>& a) {
-    constexpr int most = 40;  // 3·2⁸² and 2⁻⁸⁰ are still floats
-    const int e = exponent(a);
-    return e >= -most && e <= most;
-}
+/// The exponents of numbers whose squares are far from overflow and underflow in any scalar: 3·2⁸² and 2⁻⁸⁰ are still
+/// floats. Doubles alone go farther.
+constexpr int ordinary_exponent = 40, ordinary_exponent_of_doubles = 400;
+
+inline bool is_within(int exponent, int most) { return exponent >= -most && exponent <= most; }
 
 // The core's normals, for surfaces of any size. Where squares or products could overflow or underflow, their vectors
 // are first multiplied by powers of two, which changes no normal and loses no bit.
@@ -39,14 +38,16 @@ bool has_ordinary_square(const Vec3<Real>& a) {
 template <class Real>
 Vec3<Real> unit_normal(const Sphere<Real>& sphere, const Vec3<Real>& point) {
     const int e = exponent(point);
-    const bool as_it_is = has_ordinary_square(point) || e == FP_ILOGB0 || e == FP_ILOGBNAN;
+    const bool as_it_is = is_within(e, ordinary_exponent) || e == FP_ILOGB0 || e == FP_ILOGBNAN;
     return normal(sphere, as_it_is ? point : scaled(point, -e));
 }
 
 template <class Real>
 Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
     const auto& [A, B, C] = convert<double>(triangle);
-    if (has_ordinary_square(cross(B - A, C - A))) return normal(triangle);
+    // With a power of two or without, the bits are the same.
+    constexpr int most = std::is_same_v<Real, double> ? ordinary_exponent_of_doubles : ordinary_exponent;
+    if (is_within(exponent(cross(B - A, C - A)), most)) return normal(triangle);
     // The difference of two halved coordinates does not overflow.
     const auto overflows = [](const Vec3<Real>& difference) { return !is_finite(convert<double>(difference)); };
     const bool too_large = overflows(triangle.B - triangle.A) || overflows(triangle.C - triangle.A);
@@ -67,7 +68,8 @@ Vec3<Real> normal_at(const Ray<Real>& ray, const Real& t, const Sphere<Real>& sp
     const std::int64_t farthest = std::max(exponent(ray.P), exponent(sphere.C));  // at the origin the least int
     const bool is_far_off = farthest - 12 > e;
     // A small sphere far from the origin: relative to its centre, the point loses no digits to c.
-    if (is_far_off || e < -40 || e > 40) return unit_normal(Sphere<Real>{{}, sphere.r}, ray.P - sphere.C + t * ray.D);
+    if (is_far_off || !is_within(e, ordinary_exponent))
+        return unit_normal(Sphere<Real>{{}, sphere.r}, ray.P - sphere.C + t * ray.D);
     return normal(sphere, at(ray, t));
 }
 template <class Real>
