@@ -42,14 +42,14 @@ private:
     std::vector<std::string> names_;
 };
 
-std::optional<SphereTest> told_test(const Told& told, const Sphere<double>& sphere) {
+std::optional<SphereTest> told_test(const Told& told, const Sphere<double>& sphere, const Options&) {
     const std::optional<Number> discriminant = told.called("Δ");
     if (!discriminant) return {};
     const RootPair roots{*discriminant, told.called("t₀"), told.called("t₁")};
     return SphereTest{sphere.C, sphere.r, roots, roots};
 }
 
-std::optional<TriangleTest> told_test(const Told& told, const Triangle<double>& triangle) {
+std::optional<TriangleTest> told_test(const Told& told, const Triangle<double>& triangle, const Options& options) {
     const std::optional<Number> a = told.called("a"), b = told.called("b"), c = told.called("c");
     if (!a || !b || !c) return {};
     TriangleTest test{.vertices = {triangle.A, triangle.B, triangle.C},
@@ -59,12 +59,13 @@ std::optional<TriangleTest> told_test(const Told& told, const Triangle<double>& 
                       .sum = told.called("a+b+c").value_or(unchecked(a->recorded + b->recorded + c->recorded)),
                       .deficit = told.called("| |a+b+c| − (|a|+|b|+|c|) |").value_or(Number{}),
                       .weights = {}};
+    if (const auto* const rule = std::get_if<Tolerance>(&options.triangle_rule)) test.tolerance = rule->tolerance;
     return test;
 }
 
 template <class Shape>
 void tell_test(Surface& surface, const Told& told, const Shape& shape, const Options& options) {
-    const auto test = told_test(told, shape);
+    const auto test = told_test(told, shape, options);
     if constexpr (std::is_same_v<Shape, Sphere<double>>)
         surface.test = test.value_or(SphereTest{shape.C, shape.r, {}, {}});
     else surface.test = test.value_or(TriangleTest{{shape.A, shape.B, shape.C}, {}, {}, {}, {}, {}, 0, false, {}});

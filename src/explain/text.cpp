@@ -221,7 +221,8 @@ void tell_losses(Page& page, const FirstHit& hit) {
 
 void tell_hit(Page& page, const Story& story, const FirstHit& hit) {
     page.heading(fmt::format("The hit  surface {}", hit.surface));
-    page.line("t      = {:<27} {}{}", bounded(hit.t), lost(hit.t), hit.t_by_exact ? ", not by these steps: they have too few digits, or overflow" : "");
+    page.line("t      = {:<27} {}{}", bounded(hit.t), lost(hit.t),
+              hit.t_by_exact ? ", not by these steps: they have too few digits, or overflow" : "");
     page.line("point  = {}", triple(hit.point));
     page.line("normal = {}", triple(hit.normal));
     for (const Surface& surface : story.surfaces) {

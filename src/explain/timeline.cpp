@@ -171,9 +171,10 @@ private:
         constexpr Function by{"/crossing.hpp", "nearest"};
         if (!story_.hit) add("nothing is met: the background", {}, by);
         else
-            add(fmt::format("nearest of {} met: surface {}, at t = {}{}", story_.met, story_.hit->surface,
-                            short_number(story_.hit->t.value),
-                            story_.hit->t_by_exact ? ", not by these steps: they have too few digits, or overflow" : ""),
+            add(fmt::format(
+                    "nearest of {} met: surface {}, at t = {}{}", story_.met, story_.hit->surface,
+                    short_number(story_.hit->t.value),
+                    story_.hit->t_by_exact ? ", not by these steps: they have too few digits, or overflow" : ""),
                 {}, by);
         events_.back().failed = mark_of(story_) == story::Mark::wrong;
     }

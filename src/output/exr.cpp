@@ -80,6 +80,7 @@ std::vector<std::byte> exr(std::span<const Measured> measured, const Origin& ori
 
     EXRHeader header;
     InitEXRHeader(&header);
+    header.long_name = std::ranges::any_of(channels, [](const Channel* one) { return one->name.size() > 31; });
     header.num_channels = static_cast<int>(infos.size());
     header.channels = infos.data();
     header.pixel_types = types.data();

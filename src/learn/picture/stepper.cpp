@@ -66,6 +66,8 @@ public:
         tape_.finished = tape_.met = 0;
         tape_.open_call = 0;
         tape_.t_step = -1;
+        tape_.t = 0;
+        tape_.test_steps = 0;
         reel_.tapes.fetch_add(1, std::memory_order_release);
     }
 

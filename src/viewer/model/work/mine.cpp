@@ -91,7 +91,10 @@ void toggle_mine(ViewerState& state) { show_beside(state, shows_mine(state) ? Be
 
 void step_mine(ViewerState& state, bool on) {
     if (state.mine.is_stepped == on) return;
-    if (on) state.mine = chosen_mine(std::move(state.mine), state.mine.chosen);
+    if (on) {
+        const auto chosen = state.mine.chosen;
+        state.mine = chosen_mine(std::move(state.mine), chosen);
+    }
     state.mine.is_stepped = on;
     state.step = 0;
     state.playing = false;

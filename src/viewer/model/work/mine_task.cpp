@@ -16,7 +16,9 @@ public:
     explicit AtWork(Tools& tools) : tools_(tools), asked_(tools.mine_asked) {}
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
-    ~AtWork() { tools_.mine_made = asked_; }
+    ~AtWork() {
+        if (tools_.mine_made < asked_) tools_.mine_made = asked_;  // unless one that was withdrawn counts as more
+    }
 
 private:
     Tools& tools_;

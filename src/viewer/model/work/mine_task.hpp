@@ -26,6 +26,7 @@ struct DrawMine {
         return Request{picture_request(state), state.mine.workspace, *state.mine.chosen, state.mine.saved};
     }
     static void announce(Tools& tools) { ++tools.mine_asked; }
+    static void withdraw(Tools& tools) { tools.mine_made = tools.mine_asked.load(); }
     static void perform(const Request& request, const Run& run, const std::function<void(Result)>& deliver);
     static void tidy(const ViewerState& state, Results& results, bool is_new);
     static void show(Result update, Results& results);

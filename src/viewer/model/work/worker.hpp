@@ -43,6 +43,7 @@ struct Run {
 ///   wanted(state): the request that the state makes, perhaps none
 ///   goes_on(before, now): whether what comes of the one request is still worth showing for the other; without it, not
 ///   announce(tools): called as it is asked, before the thread knows; not needed
+///   withdraw(tools): called as it is asked no more, and perhaps never performed; not needed
 ///   perform(request, run, deliver): in the thread; delivers results, each better than the one before
 ///   tidy(state, results, is_new): takes away what does not belong to the state, whose request may be new; not needed
 ///   show(result, results)
@@ -59,7 +60,7 @@ public:
             const bool goes_on = asked_ && wanted && may_go_on(*asked_, *wanted);
             asked_ = std::move(wanted);
             if (asked_) start(*asked_, goes_on);
-            else latest_.cancel();
+            else cancel();
         }
         if constexpr (requires { &Task::tidy; }) Task::tidy(state, results, is_new);
     }
@@ -86,6 +87,11 @@ private:
             Task::perform(wanted, Run{tools_, pace_, stop}, deliver);
         };
         latest_.ask(std::move(work), goes_on);
+    }
+
+    void cancel() {
+        if constexpr (requires { &Task::withdraw; }) Task::withdraw(tools_);
+        latest_.cancel();
     }
 
     Tools& tools_;

@@ -217,9 +217,12 @@ void say_pin(const Frame& frame, const std::optional<Pixel>& pixel, ImU32 color,
         if (!value) return;
         values += (i > 0 ? ", " : "") + value_in_words(*measured.what, *value);
     }
-    if (!measured.both.empty())
+    if (!measured.both.empty()) {
+        const double subtracted = measured.both.back().at(*pixel);
+        const std::string second = legend_number(subtracted, 17);
         values += fmt::format(" = {} − {}", legend_number(measured.both.front().at(*pixel), 17),
-                              legend_number(measured.both.back().at(*pixel), 17));
+                              subtracted < 0 ? "(" + second + ")" : second);
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextWrapped("pixel %s (%d, %d): %s", name, pixel->x, pixel->y, values.c_str());
     ImGui::PopStyleColor();

@@ -15,7 +15,7 @@ bool crosses(const ImVec4& line, const ImVec4& place) {
     float from = 0, to = 1;
     const auto cut = [&](float start, float by, float least, float greatest) {
         if (by == 0) return start >= least && start <= greatest;
-        const auto [enters, leaves] = std::minmax((least - start) / by, (greatest - start) / by);
+        const auto [enters, leaves] = std::minmax({(least - start) / by, (greatest - start) / by});
         from = std::max(from, enters);
         to = std::min(to, leaves);
         return from <= to;
