@@ -152,8 +152,10 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
         double direction = d[k];
         result.inverse[k] = 1 / static_cast<float>(direction);
         if (!(std::abs(direction) > 0x1p-60)) {
-            // Along the main axis the ray goes on by t at least, and so has left the hierarchy at 16 times its size.
-            error[k] += 0x1p-22 * std::abs(start[k]) + 0x1p-56 * size;
+            // Along the main axis the ray goes on by t at least, and so leaves the hierarchy before t is as large as
+            // the start is far off, and the hierarchy.
+            const double far = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) + size;
+            error[k] += 0x1p-22 * std::abs(start[k]) + 0x1p-56 * far;
             result.inverse[k] = 0x1p127f;
             direction = 0;
         }

@@ -111,6 +111,7 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
         triangles = at_scale;
         middle_ = scale_ * middle_;
     }
+    if (!(greatest(middle_) < largest)) middle_ = {};  // most are loose, then
 
     std::vector<Boxed> boxed;
     boxed.reserve(size());

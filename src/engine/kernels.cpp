@@ -24,7 +24,7 @@ HWY_INLINE HWY_ATTR TraversalCounts traverse_telling(const Hierarchy& hierarchy,
     Visits visits({0, 0});
     while (!visits.is_empty()) {
         const auto [child, entry] = visits.pop();
-        if (entry > t_max) continue;
+        if (entry > t_max || child == Child::nothing) continue;
         open(child);
         if (Child::is_leaf(child)) {
             t_max = visit(child, t_max);

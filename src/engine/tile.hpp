@@ -34,7 +34,7 @@ struct Grid {
     /// The powers of two by which directions, and what tells near from far, are multiplied: so that floats neither
     /// overflow nor underflow.
     double direction_scale = 1, key_scale = 1;
-    /// They would where a triangle has corners as far off as this.
+    /// They would where a triangle has corners as far off as this, or all within 2⁻¹⁵⁰ of it.
     double farthest = 0;
     /// |L − the ray's own number|, summed over the axes, for L and for the ray itself.
     double ray_error = 0;

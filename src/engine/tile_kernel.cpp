@@ -221,7 +221,7 @@ private:
 
     HWY_ATTR void test_triangles(const Block& block) {
         const double m = farthest_vertex(block);
-        if (!(m < grid_.farthest)) return give_up();
+        if (!(m < grid_.farthest && m > grid_.farthest * 0x1p-150)) return give_up();
         Triangles triangles = set_up(tile_rays(grid_, middle_, m), block, least_key_);
         if (triangles.left == 0) return;
         std::uint32_t in_quarter[quarters];

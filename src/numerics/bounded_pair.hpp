@@ -45,7 +45,7 @@ public:
 
     /// Two steps of division; what is left of a − qb then, over the least that b may be, is the error.
     friend BoundedPair operator/(const BoundedPair& a, const BoundedPair& b) {
-        const double least = (std::abs(b.high_) - std::abs(b.low_) - b.error_) * (1 - 0x1p-50);
+        const double least = (std::abs(b.high_) - Bounded::up(std::abs(b.low_) + b.error_)) * (1 - 0x1p-50);
         const double first = a.high_ / b.high_;
         if (!(least > 0) || !std::isfinite(first)) return unknown();
         const double second = (a - BoundedPair(first) * b).high_ / b.high_;

@@ -238,23 +238,20 @@ private:
     /// again.
     Answer by_filter(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface, [&](const auto& shape, const auto& rule) -> Answer {
-            if (const auto ordinary = at_scale(ray, shape)) {
-                const auto errors = [&] { return errors_for(ordinary->ray, ordinary->shape); };
-                return at_given_scale(by_filter(ordinary->ray, ordinary->shape, rule, surface, errors),
-                                      ordinary->per_t);
-            }
-            return by_filter(ray, shape, rule, surface, [&] { return store_.errors(shape, surface, ray); });
+            if (const auto ordinary = at_scale(ray, shape))
+                return at_given_scale(by_filter(ordinary->ray, ordinary->shape, rule, surface), ordinary->per_t);
+            return by_filter(ray, shape, rule, surface);
         });
     }
 
-    template <class Shape, class Rule, class Errors>
-    Answer by_filter(const Ray<double>& ray, const Shape& shape, const Rule& rule, std::size_t surface,
-                     const Errors& errors) const {
+    /// By the bounds of this ray, whatever others the store has: so that t is told the same by all searches.
+    template <class Shape, class Rule>
+    Answer by_filter(const Ray<double>& ray, const Shape& shape, const Rule& rule, std::size_t surface) const {
         const Silent silent;
         DecidingNumbers numbers{silent, sides_decide()};
         const Crossing<double> plain = intersect(ray, shape, rule, numbers);
         if (!plain.met) return {};
-        const std::optional<Range> t = sure_range(ray, shape, errors(), numbers.of_a_hit);
+        const std::optional<Range> t = sure_range(ray, shape, errors_for(ray, shape), numbers.of_a_hit);
         if (!t) return {};
         return {true, ProvenHit{surface, {plain.t, not_bounded}, plain.t, t->least, t->most}};
     }
@@ -401,19 +398,21 @@ private:
         if (surely(one.t > other.t)) return false;
         if (surely(one.t < other.t)) return true;
         if (!only_exact_) {
-            const BoundedPair finer = t_in_pairs(ray, one.surface), its = t_in_pairs(ray, other.surface);
-            if (surely(finer < its)) return true;
-            if (surely(finer > its)) return false;
+            const std::optional<BoundedPair> finer = t_in_pairs(ray, one.surface), its = t_in_pairs(ray, other.surface);
+            if (finer && its && surely(*finer < *its)) return true;
+            if (finer && its && surely(*finer > *its)) return false;
         }
         const int order = compare(*true_t(ray, one.surface), *true_t(ray, other.surface));
         return order != 0 ? order < 0 : one.surface > other.surface;
     }
 
-    /// t of a surface that the ray meets.
-    BoundedPair t_in_pairs(const Ray<double>& ray, std::size_t surface) const {
-        return with_rule(surface, [&](const auto& shape, const auto& rule) {
+    /// t of a surface that the ray meets, if pairs are sure that it does: else they left open which root counts, too.
+    std::optional<BoundedPair> t_in_pairs(const Ray<double>& ray, std::size_t surface) const {
+        return with_rule(surface, [&](const auto& shape, const auto& rule) -> std::optional<BoundedPair> {
             const Silent silent;
-            return intersect(convert<BoundedPair>(ray), convert<BoundedPair>(shape), rule, silent).t;
+            const auto crossing = intersect(convert<BoundedPair>(ray), convert<BoundedPair>(shape), rule, silent);
+            if (!surely(crossing.met)) return {};
+            return crossing.t;
         });
     }
 

@@ -43,7 +43,7 @@ template <class Shape>
 std::optional<AtOrdinaryScale<Shape>> at_ordinary_scale(const Ray<double>& ray, const Shape& shape) {
     using namespace ordinary_scale;
     const double length = std::max(greatest(ray.P), greatest(shape)), speed = greatest(ray.D);
-    if (is_ordinary(length) && is_ordinary(speed)) return {};
+    if ((is_ordinary(length) && is_ordinary(speed)) || !(length > 0 && speed > 0)) return {};
     const int e = std::ilogb(length), d = std::ilogb(speed);
     if (std::max(std::abs(e), std::abs(d)) > 1000 || std::abs(e - d) > 1000) return {};
     const double by = std::ldexp(1, -e), by_d = std::ldexp(1, -d);

@@ -45,7 +45,7 @@ Vec3<Real> unit_normal(const Sphere<Real>& sphere, const Vec3<Real>& point) {
 template <class Real>
 Vec3<Real> unit_normal(const Triangle<Real>& triangle) {
     const auto& [A, B, C] = convert<double>(triangle);
-    // With a power of two or without, the bits are the same.
+    // With a power of two or without, the bits are the same, but for coordinates below 2⁻⁶⁰⁰ of the largest.
     constexpr int most = std::is_same_v<Real, double> ? ordinary_exponent_of_doubles : ordinary_exponent;
     if (is_within(exponent(cross(B - A, C - A)), most)) return normal(triangle);
     // The difference of two halved coordinates does not overflow.

@@ -90,7 +90,7 @@ bool meets_all(const engine::Engine& engine, const engine::BoxRay& ray) {
 
 /// Rounding is monotonic: what lies in a box, and is a double itself, still lies in it afterwards.
 Vec3<double> in_world(const engine::Engine& engine, const float (&corner)[3]) {
-    return engine.middle() + Vec3<double>{corner[0], corner[1], corner[2]};
+    return 1 / engine.scale() * (engine.middle() + Vec3<double>{corner[0], corner[1], corner[2]});
 }
 
 Passage passage(const RayInBoxes* ray, std::uint32_t code) {

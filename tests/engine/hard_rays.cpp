@@ -1,0 +1,95 @@
+// Rays and scenes for which bounds are tight, or numbers extreme: each search must give the answer worked out here.
+#include <doctest.h>
+
+#include <optional>
+
+#include "render/measure/reference_search.hpp"
+#include "render/search/certified_search.hpp"
+#include "render/search/fast_search.hpp"
+
+using namespace glassbox;
+
+namespace {
+
+struct Searched {
+    std::optional<ProvenHit> plain, fast, all;  ///< `all`: as who wants all hits traces it
+    std::optional<std::size_t> reference;
+};
+
+struct CountMet {
+    static constexpr bool only_verdicts = true;
+    int met = 0;
+
+    template <class What, class... Values>
+    void operator()(What, const Values&...) {
+        met += std::is_same_v<What, told::Met>;
+    }
+};
+
+Searched searched(const Surfaces<double>& surfaces, const Ray<double>& ray) {
+    const auto engine = std::make_shared<const engine::Engine>(surfaces.spheres, surfaces.triangles, 1);
+    const FastSearch fast(engine, {}, {});
+    const CertifiedSearch plain(surfaces, {}, {}, including({}, ray), false);
+    const Silent silent;
+    CountMet met;
+    Searched result{plain.trace_proven(ray, silent), fast.trace_proven(ray, silent), fast.trace_proven(ray, met), {}};
+    result.reference = ReferenceSearch(engine).hits(ray).nearest;
+    CHECK(fast.occluded(ray) == result.plain.has_value());
+    return result;
+}
+
+void check_surface(const Searched& searched, std::optional<std::size_t> expected) {
+    const auto number = [](const auto& hit) { return hit ? std::optional(hit->surface) : std::nullopt; };
+    CHECK(number(searched.plain) == expected);
+    CHECK(number(searched.fast) == expected);
+    CHECK(number(searched.all) == expected);
+    CHECK(searched.reference == expected);
+}
+
+}  // namespace
+
+// The sphere's near root is 0, where the ray starts, and does not count: the sphere is met at t = 2, as is the
+// triangle, which is listed last.
+TEST_CASE("a ray that starts on a sphere, and a triangle at the sphere's far side") {
+    const Surfaces<double> surfaces{{{{0, 0, 0}, 1}}, {{{1, -1, -1}, {1, 1, -1}, {1, 0, 1}}}};
+    check_surface(searched(surfaces, {{-1, 0, 0}, {1, 0, 0}}), 1);
+    // One bit nearer, and the triangle is the nearer.
+    const double x = 1 - 0x1p-53;
+    const Surfaces<double> nearer{{{{0, 0, 0}, 1}}, {{{x, -1, -1}, {x, 1, -1}, {x, 0, 1}}}};
+    check_surface(searched(nearer, {{-1, 0, 0}, {1, 0, 0}}), 1);
+}
+
+// P + 2⁶⁰ D = (0, 0, 0), inside the triangle in the plane y = 0.
+TEST_CASE("a ray from 2⁶⁰ away that drifts by 2⁻⁶⁰") {
+    const Surfaces<double> surfaces{{}, {{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}}};
+    check_surface(searched(surfaces, {{-0x1p60, -1, 0}, {1, 0x1p-60, 0}}), 0);
+}
+
+// Most surfaces lie at 1e60; the ray along x meets the sphere about the origin at x = −1, t = 2.
+TEST_CASE("most surfaces farther away than floats can say") {
+    const Surfaces<double> surfaces{
+        {{{1e60, 0, 0}, 1}, {{1e60, 3, 0}, 1}, {{1e60, 6, 0}, 1}, {{0, 0, 0}, 1}, {{0, 5, 0}, 1}}, {}};
+    const Searched found = searched(surfaces, {{-3, 0, 0}, {1, 0, 0}});
+    check_surface(found, 3);
+    CHECK(found.fast->told_t == 2);
+    check_surface(searched(surfaces, {{-3, -2, 0}, {1, 0, 0}}), std::nullopt);
+    // At y = 2 the ray touches the far sphere whose centre is at y = 3.
+    check_surface(searched(surfaces, {{-3, 2, 0}, {1, 0, 0}}), 1);
+}
+
+// From inside a tiny sphere, t with r = 2⁻⁴⁸⁰, P = (r/2, 0, 0), D = 2⁻⁸⁹ (−1, 1, 0): |P + tD|² = r² is 2s² − s + 1/4 =
+// 1 with s = t 2⁻⁸⁹/r, so s = (1 + √7)/4.
+TEST_CASE("t of a sphere whose squares underflow is told with all its digits, and the same by all") {
+    const double r = 0x1p-480;
+    const Surfaces<double> surfaces{{{{0, 0, 0}, r}}, {}};
+    const Searched found = searched(surfaces, {{r / 2, 0, 0}, {-0x1p-89, 0x1p-89, 0}});
+    check_surface(found, 0);
+    const double expected = (1 + std::sqrt(7.0)) / 4 * 0x1p-391;
+    CHECK(std::abs(found.fast->told_t - expected) <= 0x1p-50 * expected);
+    CHECK(found.fast->told_t == found.plain->told_t);
+}
+
+TEST_CASE("a ray from the only point of a triangle without extent") {
+    const Surfaces<double> surfaces{{}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
+    check_surface(searched(surfaces, {{0, 0, 0}, {1, 0, 0}}), std::nullopt);
+}
