@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "render/option_names.hpp"
 #include "viewer/ui/mine/mine.hpp"
 #include "viewer/ui/overlay/parts.hpp"
 #include "viewer/ui/widgets/edit.hpp"
+#include "viewer/ui/widgets/wrapped.hpp"
 
 namespace glassbox {
 
@@ -87,8 +90,11 @@ std::string how_computed(const Options& options) {
 
 void draw_beside(const Frame& frame) {
     ViewerState& state = frame.state;
-    const auto radio = [&](Beside beside, const char* text) {
-        if (!ImGui::RadioButton(text, state.beside == beside)) return false;
+    const float room =
+        ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto radio = [&](Beside beside, std::string_view text) {
+        const std::string label = wrapped(text, room) + "###" + std::string(text);  // the same wherever it breaks
+        if (!ImGui::RadioButton(label.c_str(), state.beside == beside)) return false;
         show_beside(state, beside);
         return true;
     };

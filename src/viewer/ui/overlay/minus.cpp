@@ -29,7 +29,10 @@ void draw_minus(const Frame& frame) {
     const std::string present = overlay.minus ? written(*overlay.minus) : "nothing";
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("minus the same by");
+    // Beside the words if the choice fits there, with its arrow; else below them.
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    const float needed = ImGui::CalcTextSize(present.c_str()).x + 2.5f * ImGui::GetFrameHeight();
+    if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
     ImGui::SetNextItemWidth(-1);
     const float widest = std::min(34 * ImGui::GetFontSize(), ImGui::GetMainViewport()->WorkSize.x * .9f);
     ImGui::SetNextWindowSizeConstraints({0, 0}, {widest, 1e9f});
