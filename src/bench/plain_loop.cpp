@@ -37,9 +37,7 @@ void test_all(const Predicates& predicates, std::span<const Ray<double>> rays, s
 
 std::vector<std::uint32_t> nearest_by_plain_loop(const Scene& scene, std::span<const Ray<double>> rays,
                                                  const Job& job) {
-    RayBounds reach;
-    for (const Ray<double>& ray : rays) reach = including(reach, ray);
-    const CertifiedSearch search(surfaces<double>(scene, 5), {}, {}, reach, false);
+    const CertifiedSearch search(surfaces<double>(scene, 5), {}, {}, reach_of(rays), false);
     std::vector<std::uint32_t> met(rays.size());
     run_parallel(tbb::blocked_range<std::size_t>(0, rays.size(), rays_together), job, [&](const auto& range) {
         throw_if_stopped(job);

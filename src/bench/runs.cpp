@@ -49,4 +49,9 @@ Spread ratio(const std::vector<double>& one, const std::vector<double>& other) {
     return spread(std::move(ratios));
 }
 
+std::vector<double> nanoseconds(std::vector<double> speeds) {
+    for (double& speed : speeds) speed = 1000 / speed;
+    return speeds;
+}
+
 }  // namespace glassbox

@@ -33,6 +33,9 @@ using Speeds = std::vector<std::vector<double>>;
 /// works × runs in all.
 Speeds time_in_turn(const std::vector<Work>& works, int runs, std::atomic<std::int64_t>* done = nullptr);
 
+/// Nanoseconds per ray, from million rays per second.
+std::vector<double> nanoseconds(std::vector<double> speeds);
+
 /// How many times as fast `one` was as `other`, run by run.
 Spread ratio(const std::vector<double>& one, const std::vector<double>& other);
 

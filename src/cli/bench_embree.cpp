@@ -27,12 +27,6 @@ namespace glassbox {
 
 namespace {
 
-/// Nanoseconds per ray, from million rays per second.
-std::vector<double> nanoseconds(std::vector<double> speeds) {
-    for (double& speed : speeds) speed = 1000 / speed;
-    return speeds;
-}
-
 /// Some rays of a list, by their places in it, and what the plain loop says that they meet.
 struct CheckedRays {
     std::vector<std::size_t> places;

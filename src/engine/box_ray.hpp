@@ -9,6 +9,7 @@
 #include <ray.hpp>
 
 #include "engine/engine.hpp"
+#include "numerics/two_sum.hpp"
 
 namespace glassbox::engine {
 
@@ -82,12 +83,8 @@ struct Approximately {
 /// P − middle + td, found with twice the digits of a double, so that the first and the last may cancel: Knuth's
 /// two-sum, and what a product lacks by one multiplication and addition without rounding between.
 inline Approximately moved_along(double P, double middle, double t, double d) {
-    const auto lacking = [](double a, double b, double sum) {
-        const double b_in_sum = sum - a;
-        return (a - (sum - b_in_sum)) + (b - b_in_sum);
-    };
     const double from = P - middle, product = t * d, sum = from + product;
-    const double rest = lacking(P, -middle, from) + std::fma(t, d, -product) + lacking(from, product, sum);
+    const double rest = lost_in_sum(P, -middle, from) + std::fma(t, d, -product) + lost_in_sum(from, product, sum);
     return {sum + rest, (std::abs(from) + std::abs(product)) * 0x1p-98 + std::abs(sum + rest) * 0x1p-52};
 }
 

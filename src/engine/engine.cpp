@@ -19,10 +19,6 @@ constexpr double largest = 0x1p55;
 /// Of so many surfaces it is asked where most of them are.
 constexpr std::size_t samples = 1000;
 
-double greatest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-double greatest(const Sphere<double>& s) { return greatest(s.C) + s.r; }
-double greatest(const Triangle<double>& t) { return std::max({greatest(t.A), greatest(t.B), greatest(t.C)}); }
-
 Vec3<double> centre(const Sphere<double>& s) { return s.C; }
 Vec3<double> centre(const Triangle<double>& t) { return 1.0 / 3 * t.A + 1.0 / 3 * t.B + 1.0 / 3 * t.C; }
 
@@ -38,14 +34,20 @@ Vec3<double> median(std::vector<Vec3<double>> points) {
     return {along(&Vec3<double>::x), along(&Vec3<double>::y), along(&Vec3<double>::z)};
 }
 
+/// What nine in ten of these sizes do not exceed.
+template <class Real>
+Real nine_in_ten_reach(std::vector<Real> sizes) {
+    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::ranges::nth_element(sizes, at);
+    return *at;
+}
+
 /// Sixteen times what nine in ten of the boxes reach, or what all do, if that is less.
 float reach_of_most(std::span<const Boxed> boxed, float reach_of_all) {
     if (boxed.empty()) return 0;
     std::vector<float> some;
     for (std::size_t i = 0; i < boxed.size(); i += boxed.size() / samples + 1) some.push_back(boxed[i].box.reach());
-    const auto nine_in_ten = some.begin() + static_cast<std::ptrdiff_t>(some.size() * 9 / 10);
-    std::ranges::nth_element(some, nine_in_ten);
-    return std::min(16 * *nine_in_ten, reach_of_all);
+    return std::min(16 * nine_in_ten_reach(std::move(some)), reach_of_all);
 }
 
 void put(double (&to)[3][fan_out], std::uint32_t at, const Vec3<double>& v) {
@@ -61,30 +63,22 @@ double usual_size(const std::vector<Sphere<double>>& spheres, std::span<const Tr
     const std::size_t count = spheres.size() + triangles.size();
     for (std::size_t i = 0; i < count; i += count / samples + 1) {
         if (i < spheres.size()) {
-            sizes.push_back(greatest(Sphere<double>{spheres[i].C - middle, spheres[i].r}));
+            sizes.push_back(greatest_coordinate(Sphere<double>{spheres[i].C - middle, spheres[i].r}));
         } else {
             const auto& [A, B, C] = triangles[i - spheres.size()];
-            sizes.push_back(greatest(Triangle<double>{A - middle, B - middle, C - middle}));
+            sizes.push_back(greatest_coordinate(Triangle<double>{A - middle, B - middle, C - middle}));
         }
     }
     if (sizes.empty()) return 1;
-    const auto nine_in_ten = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
-    std::ranges::nth_element(sizes, nine_in_ten);
-    return *nine_in_ten;
+    return nine_in_ten_reach(std::move(sizes));
 }
-
-/// Whether multiplying by a power of two loses nothing: no digit below the least number, nothing above the greatest.
-bool keeps(double x, double by) { return x == 0 || (std::abs(x * by) >= 0x1p-1022 && std::isfinite(x * by)); }
-bool keeps(const Vec3<double>& v, double by) { return keeps(v.x, by) && keeps(v.y, by) && keeps(v.z, by); }
-bool keeps(const Sphere<double>& s, double by) { return keeps(s.C, by) && keeps(s.r, by); }
-bool keeps(const Triangle<double>& t, double by) { return keeps(t.A, by) && keeps(t.B, by) && keeps(t.C, by); }
 
 /// See Engine::scale.
 double scale_for(const std::vector<Sphere<double>>& spheres, std::span<const Triangle<double>> triangles,
                  double usual) {
     if (!(usual < 0x1p-10 || usual > 0x1p20) || !(usual > 0x1p-1000 && usual < 0x1p1000)) return 1;
     const double by = std::ldexp(1, -std::ilogb(usual));
-    const auto kept = [&](const auto& surface) { return keeps(surface, by); };
+    const auto kept = [&](const auto& surface) { return keeps_digits(surface, by); };
     return std::ranges::all_of(spheres, kept) && std::ranges::all_of(triangles, kept) ? by : 1;
 }
 
@@ -111,7 +105,7 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
         triangles = at_scale;
         middle_ = scale_ * middle_;
     }
-    if (!(greatest(middle_) < largest)) middle_ = {};  // most are loose, then
+    if (!(greatest_coordinate(middle_) < largest)) middle_ = {};  // most are loose, then
 
     std::vector<Boxed> boxed;
     boxed.reserve(size());
@@ -119,7 +113,7 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
         const auto number = static_cast<std::uint32_t>(i);
         const bool is_sphere = i < spheres_.size();
         const auto take = [&](const auto& surface) {
-            if (greatest(surface) < largest) boxed.push_back({box_of(surface, middle_), number, is_sphere});
+            if (greatest_coordinate(surface) < largest) boxed.push_back({box_of(surface, middle_), number, is_sphere});
             else loose_.push_back(number);
         };
         if (is_sphere) take(spheres_[i]);

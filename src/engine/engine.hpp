@@ -9,6 +9,7 @@
 
 #include "engine/copies.hpp"
 #include "engine/hierarchy.hpp"
+#include "numerics/power_of_two_scale.hpp"
 
 // How to use it, as search/fast_search.hpp does in full. Build, once for a scene:
 //
@@ -40,9 +41,6 @@ struct alignas(64) Block {
         return {{A[0][at], A[1][at], A[2][at]}, {B[0][at], B[1][at], B[2][at]}, {C[0][at], C[1][at], C[2][at]}};
     }
 };
-
-inline Sphere<double> scaled(const Sphere<double>& sphere, double by) { return {by * sphere.C, by * sphere.r}; }
-inline Triangle<double> scaled(const Triangle<double>& t, double by) { return {by * t.A, by * t.B, by * t.C}; }
 
 /// A scene's surfaces made ready for rays, once for all views and all rays. Surfaces are numbered as everywhere:
 /// spheres first.

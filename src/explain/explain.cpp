@@ -4,6 +4,7 @@
 
 #include "explain/hit_story.hpp"
 #include "explain/judgement.hpp"
+#include "explain/story_of_pixel.hpp"
 #include "explain/surface_kind.hpp"
 #include "explain/surface_story.hpp"
 #include "explain/traced_pixel.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 /// The most surfaces that a story lists; more only if the ray meets more.
 constexpr std::size_t most_surfaces = 20;
-
-bool is_on_border(const Scene& scene, int x, int y) {
-    return scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
-}
 
 /// The surfaces that the judgement is about: they are listed, though they may be missed.
 std::vector<std::size_t> besides(const Story& story) {
@@ -72,15 +69,7 @@ Story explain(const Scene& scene, const Options& options, int x, int y, Detail d
     const TracedPixel said = traced_pixel(scene, options, x, y, job);
     const std::vector<Rgb> colors = surface_colors(scene);
 
-    Story story;
-    story.title = scene.title;
-    story.width = scene.width;
-    story.height = scene.height;
-    story.x = story.column = x;
-    story.y = y;
-    story.row = scene.height - 1 - y;
-    story.options = options;
-    story.ray = said.ray;
+    Story story = story_of_pixel(scene, options, said.ray, x, y);
     story.in_all = surfaces.size();
     story.tested = said.tested;
     story.nodes = said.nodes;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "explain/loss.hpp"
+#include "explain/story_of_pixel.hpp"
 #include "explain/surface_kind.hpp"
 #include "explain/surface_story.hpp"
 #include "explain/told_test.hpp"
@@ -159,19 +160,11 @@ Story retold(const Scene& scene, const std::shared_ptr<const engine::Engine>& su
              const RecordedPixel& recorded) {
     options.scalar = Scalar::double_;
     const std::vector<Rgb> colors = surface_colors(scene);
-    Story story;
-    story.title = scene.title;
-    story.width = scene.width;
-    story.height = scene.height;
-    story.x = story.column = x;
-    story.y = y;
-    story.row = scene.height - 1 - y;
-    story.options = options;
-    story.ray = recorded.ray;
+    Story story = story_of_pixel(scene, options, recorded.ray, x, y);
     story.in_all = story.tested = surfaces->size();
     story.met = recorded.met;
     story.traced = recorded.color.value_or(scene.background);
-    story.border = scene.border && (x == 0 || y == 0 || x == scene.width - 1 || y == scene.height - 1);
+    story.border = is_on_border(scene, x, y);
     story.color = story.border ? *scene.border : story.traced;
     story.own = recorded.sources;
     if (!recorded.ended.empty()) story.ended = early_end(recorded);

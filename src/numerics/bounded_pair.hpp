@@ -5,6 +5,8 @@
 #include <bounded.hpp>
 #include <kleene.hpp>
 
+#include "numerics/two_sum.hpp"
+
 namespace glassbox {
 
 /// A number as the sum of two doubles, about 106 binary digits, with a bound on its error: |true − (high + low)| ≤
@@ -27,7 +29,7 @@ public:
 
     friend BoundedPair operator+(const BoundedPair& a, const BoundedPair& b) {
         const double sum = a.high_ + b.high_, lows = a.low_ + b.low_;
-        const double rest = lacking(a.high_, b.high_, sum) + lows;
+        const double rest = lost_in_sum(a.high_, b.high_, sum) + lows;
         return pair(sum, rest, a.error_ + b.error_ + u * (std::abs(lows) + std::abs(rest)));
     }
     friend BoundedPair operator-(const BoundedPair& a, const BoundedPair& b) { return a + -b; }
@@ -99,15 +101,9 @@ private:
 
     static BoundedPair unknown() { return {0, 0, infinity}; }
 
-    /// What a rounded sum of two doubles lacks, exactly.
-    static double lacking(double a, double b, double sum) {
-        const double b_in_sum = sum - a;
-        return (a - (sum - b_in_sum)) + (b - b_in_sum);
-    }
-
     static BoundedPair pair(double large, double small, double error) {
         const double high = large + small;
-        return {high, lacking(large, small, high), error == 0 ? 0 : Bounded::up(error)};
+        return {high, lost_in_sum(large, small, high), error == 0 ? 0 : Bounded::up(error)};
     }
 
     double size() const { return Bounded::up(std::abs(high_) + std::abs(low_)); }

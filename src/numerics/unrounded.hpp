@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "numerics/two_sum.hpp"
+
 namespace glassbox {
 
 /// A double that knows whether anything was rounded on the way to it. Where nothing was, a formula's sign is exact, at
@@ -18,11 +20,9 @@ public:
 
     friend Unrounded operator-(const Unrounded& a) { return {-a.value_, a.is_exact_}; }
 
-    /// What the rounded sum lacks is a double itself (Knuth's two-sum), where nothing overflows; then it is NaN.
     friend Unrounded operator+(const Unrounded& a, const Unrounded& b) {
-        const double sum = a.value_ + b.value_, b_in_sum = sum - a.value_;
-        const double lacking = (a.value_ - (sum - b_in_sum)) + (b.value_ - b_in_sum);
-        return {sum, a.is_exact_ && b.is_exact_ && lacking == 0};
+        const double sum = a.value_ + b.value_;
+        return {sum, a.is_exact_ && b.is_exact_ && lost_in_sum(a.value_, b.value_, sum) == 0};
     }
     friend Unrounded operator-(const Unrounded& a, const Unrounded& b) { return a + -b; }
 

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "read_drawn.hpp"
 #include "render/render.hpp"
 #include "render/search/build_engine.hpp"
 #include "render/view.hpp"
@@ -43,20 +44,10 @@ struct TimeRequest {
     std::string folder = {};
 };
 
-Scene read(const Drawn& drawn) {
-    const auto path = std::filesystem::temp_directory_path() / fmt::format("glassbox-time-{}.toml", getpid());
-    std::ofstream(path) << to_toml(drawn);
-    struct Removed {
-        const std::filesystem::path& path;
-        ~Removed() { std::filesystem::remove(path); }
-    } const removed{path};
-    return read_scene(path);
-}
-
 /// Nanoseconds a ray of its picture, at the least of some runs, on one thread. Slow ones are drawn smaller.
 double nanoseconds_a_ray(const Drawn& drawn) {
     constexpr double long_enough = 0.02;  // seconds
-    const Scene scene = read(drawn);
+    const Scene scene = read_drawn(drawn);
     const Job job{1, {}, nullptr, build_engine(scene, 5, 1)};
     const auto seconds = [&](const Scene& picture) {
         const auto start = Clock::now();

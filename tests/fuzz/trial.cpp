@@ -1,14 +1,10 @@
 #include "trial.hpp"
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
+#include "read_drawn.hpp"
 #include "render/options.hpp"
 #include "render/search/build_engine.hpp"
-#include "scene/scene_file.hpp"
 
 namespace glassbox::fuzz {
 
@@ -19,22 +15,11 @@ constexpr std::size_t pixels_a_ray = 31;
 
 Vec3<double> to_vec3(const oracle::Point& p) { return {p.x, p.y, p.z}; }
 
-/// Reads the scene as the program does: any refusal is the program's.
-Scene read(const Drawn& drawn) {
-    const auto path = std::filesystem::temp_directory_path() / ("glassbox-fuzz-" + std::to_string(getpid()) + ".toml");
-    std::ofstream(path) << to_toml(drawn);
-    struct Removed {
-        const std::filesystem::path& path;
-        ~Removed() { std::filesystem::remove(path); }
-    } const removed{path};
-    return read_scene(path);
-}
-
 }  // namespace
 
 Trial::Trial(Drawn drawn)
     : drawn_(std::move(drawn)),
-      scene_(read(drawn_)),
+      scene_(read_drawn(drawn_)),
       view_(glassbox::view(scene_, {})),
       oracle_(drawn_.surfaces),
       engine_(build_engine(scene_, 5, 1)) {

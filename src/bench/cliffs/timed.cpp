@@ -109,12 +109,6 @@ void check(const Ready& ready, std::optional<int> wanted, const std::stop_token&
     }
 }
 
-/// Nanoseconds per ray, from million rays per second.
-std::vector<double> as_nanoseconds(std::vector<double> speeds) {
-    for (double& speed : speeds) speed = 1000 / speed;
-    return speeds;
-}
-
 }  // namespace
 
 CliffTimes time_cliff(const Cliff& cliff, int runs, std::optional<int> rays_to_check, const std::stop_token& stop) {
@@ -125,12 +119,12 @@ CliffTimes time_cliff(const Cliff& cliff, int runs, std::optional<int> rays_to_c
     CliffTimes result;
     result.rays = ready->rays();
     if (seconds > too_long) {
-        result.ordinary = as_nanoseconds(time_in_turn({ordinary.work(stop)}, 1)[0]);
+        result.ordinary = nanoseconds(time_in_turn({ordinary.work(stop)}, 1)[0]);
         result.this_one = {1e9 * seconds / static_cast<double>(result.rays)};
     } else {
         const Speeds speeds = time_in_turn({ordinary.work(stop), ready->work(stop)}, runs);
-        result.ordinary = as_nanoseconds(speeds[0]);
-        result.this_one = as_nanoseconds(speeds[1]);
+        result.ordinary = nanoseconds(speeds[0]);
+        result.this_one = nanoseconds(speeds[1]);
     }
     if (rays_to_check) check(Ready(cliff.make(side_to_check)), rays_to_check, stop, result);
     else check(*ready, {}, stop, result);
