@@ -17,9 +17,9 @@ void keep(NearestHits& hits, std::size_t place, std::uint32_t surface, double t)
 }
 
 void trace(const FastSearch& search, const Ray<double>& ray, NearestHits& hits, std::size_t place) {
-    const Silent silent;
-    const auto hit = search.trace(ray, silent);
-    keep(hits, place, hit ? static_cast<std::uint32_t>(hit->surface) : engine::no_surface, hit ? hit->t : 0);
+    const auto hit = search.nearest(ray);
+    if (hit) keep(hits, place, static_cast<std::uint32_t>(hit->surface), 0.5 * (hit->low + hit->high));
+    else keep(hits, place, engine::no_surface, 0);
 }
 
 }  // namespace

@@ -32,16 +32,18 @@ namespace glassbox::engine {
 ///   inside.
 struct BoxRay {
     float near_from[3], far_from[3], inverse[3], exit_inverse[3];
-    std::uint32_t near_side[3];  ///< Node::lo, or where d < 0 Node::hi
+    /// Where in a node the sides stand through which it enters and leaves, counted in floats from Node::side: along an
+    /// axis where d < 0 it enters the upper ones.
+    std::size_t near_side[3], far_side[3];
 
-    double P[3], d[3];       ///< its start, off by `start_error` along each axis at most, and its direction
-    double start_error = 0;  ///< 0 where it was not moved
-    double scale = 1, per_scale = 1, shift = 0;
-    bool as_given = true;  ///< neither moved nor at another scale, but for d, nor of a length far from 1
+    double P[3], d[3];   ///< its start, off by `start_error` along each axis at most, and its direction
+    double start_error;  ///< 0 where it was not moved
+    double scale, per_scale, shift;
+    bool as_given;  ///< neither moved nor at another scale, but for d, nor of a length far from 1
 
     static constexpr float exit_factor = 1 + 0x1p-20f;
-
-    BoxRay() {}  // not `= default`, by which all would be set to 0 first, at a tenth of a ray's time
+    /// In multiples of the hierarchy's reach: rays that start farther off are moved.
+    static constexpr double nearby = 8;
 
     Ray<double> ray() const { return {{P[0], P[1], P[2]}, {d[0], d[1], d[2]}}; }
 
@@ -54,7 +56,8 @@ struct BoxRay {
     /// No box beyond this entry holds a point of the ray before its own t.
     static float t_max_of(double own) {
         if (!(own < 0x1p100)) return std::numeric_limits<float>::infinity();
-        return rounded_up(own + std::abs(own) * 0x1p-19 + 0x1p-100);
+        // By 2⁻¹⁹, and by 2⁻²³ for the rounding: rounding upwards would take a branch that nobody can foresee.
+        return static_cast<float>(own + std::abs(own) * 0x1.1p-19 + 0x1p-100);
     }
     /// The same for a t of the ray that was given.
     float t_max(double t) const { return t_max_of(own_t(t)); }
@@ -115,10 +118,25 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
     return farthest() < 0x1p100;
 }
 
-/// Nothing for a ray whose numbers are so large, so small or so different from each other that the bounds above fail.
-/// `ray` must be valid.
-inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engine) {
-    std::optional<BoxRay> made;  // filled in place: a copy would wait for it to be written
+/// What a ray needs to know of an axis: see BoxRay. Its start relative to the middle is off by `error`, and its
+/// direction is the given one over `power`, of which it is 2⁻¹²⁷ at least.
+inline void set_axis(BoxRay& result, int k, double start, double error, double direction, double power, double size) {
+    result.inverse[k] = static_cast<float>(power) * (1 / static_cast<float>(direction));
+    result.exit_inverse[k] = result.inverse[k] * BoxRay::exit_factor;
+    constexpr std::size_t from_lo_to_hi = 3 * fan_out;
+    const std::size_t lo = static_cast<std::size_t>(k) * fan_out, is_down = direction < 0;
+    result.near_side[k] = lo + is_down * from_lo_to_hi;
+    result.far_side[k] = lo + (1 - is_down) * from_lo_to_hi;
+    // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that the
+    // ray meets is as small as numbers that floats do not hold in full.
+    const double wider = (error + std::abs(start) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;
+    const double early = std::copysign(wider, direction);  // so far ahead that a box is entered too early
+    result.near_from[k] = static_cast<float>(start + early);
+    result.far_from[k] = static_cast<float>(start - early);
+}
+
+/// As set_up, for rays that are not ordinary: of another scale than the scene's, or along an axis, or from far off.
+[[gnu::noinline]] inline bool set_up_unusual(BoxRay& result, const Ray<double>& ray, const Engine& engine) {
     const double size = engine.reach(), s = engine.scale();
     const Vec3<double>& middle = engine.middle();
     const auto& [x, y, z] = ray.D;
@@ -129,9 +147,8 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
     const double farthest = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])});
     if (!(size > 0x1p-50 && longest > 0x1p-1000 && longest < 0x1p1000 && scale > 0x1p-1000 && scale < 0x1p1000 &&
           farthest < 0x1p300))
-        return made;
+        return false;
 
-    BoxRay& result = made.emplace();
     const double P[3] = {s * ray.P.x, s * ray.P.y, s * ray.P.z}, d[3] = {x * to_unit, y * to_unit, z * to_unit};
     for (int k = 0; k < 3; ++k) {
         result.P[k] = P[k];
@@ -139,33 +156,56 @@ inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engin
     }
     result.scale = scale;
     result.per_scale = inverse_power_of_two(scale);
+    result.shift = result.start_error = 0;
     result.as_given = s == 1 && longest > 0x1p-90 && longest < 0x1p90;
     double error[3] = {std::abs(start[0]) * 0x1p-52, std::abs(start[1]) * 0x1p-52, std::abs(start[2]) * 0x1p-52};
-    if (farthest > 8 * size && !move_near(result, engine, start, error)) {
-        made.reset();
-        return made;
-    }
+    if (farthest > BoxRay::nearby * size && !move_near(result, engine, start, error)) return false;
     for (int k = 0; k < 3; ++k) {
         double direction = d[k];
-        result.inverse[k] = 1 / static_cast<float>(direction);
         if (!(std::abs(direction) > 0x1p-60)) {
             // Along the main axis the ray goes on by t at least, and so leaves the hierarchy before t is as large as
             // the start is far off, and the hierarchy.
             const double far = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) + size;
             error[k] += 0x1p-22 * std::abs(start[k]) + 0x1p-56 * far;
-            result.inverse[k] = 0x1p127f;
-            direction = 0;
+            direction = 0x1p-127;
         }
-        result.near_side[k] = direction < 0 ? Node::hi : Node::lo;
-        result.exit_inverse[k] = result.inverse[k] * BoxRay::exit_factor;
-        // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that
-        // the ray meets is as small as numbers that floats do not hold in full.
-        const double wider = (error[k] + std::abs(start[k]) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;
-        const double early = std::copysign(wider, direction);  // so far ahead that a box is entered too early
-        result.near_from[k] = static_cast<float>(start[k] + early);
-        result.far_from[k] = static_cast<float>(start[k] - early);
+        set_axis(result, k, start[k], error[k], direction, 1, size);
     }
-    return made;
+    return true;
+}
+
+/// False for a ray whose numbers are so large, so small or so different from each other that the bounds above fail.
+/// `ray` must be valid.
+[[gnu::always_inline]] inline bool set_up(BoxRay& result, const Ray<double>& ray, const Engine& engine) {
+    const double size = engine.reach();
+    const Vec3<double>&middle = engine.middle(), &P = ray.P, &D = ray.D;
+    const double x = std::abs(D.x), y = std::abs(D.y), z = std::abs(D.z);
+    const double longest = std::max(std::max(x, y), z), shortest = std::min(std::min(x, y), z);
+    const double start[3] = {P.x - middle.x, P.y - middle.y, P.z - middle.z};
+    const double farthest = std::max(std::max(std::abs(start[0]), std::abs(start[1])), std::abs(start[2]));
+    const bool is_ordinary = (longest < 0x1p60) & (shortest > longest * 0x1p-60) & (longest > 0x1p-60) &
+                             (farthest < BoxRay::nearby * size) & (size > 0x1p-50) & (engine.scale() == 1);
+    if (!is_ordinary) [[unlikely]]
+        return set_up_unusual(result, ray, engine);
+    const double power = power_of_two(longest), to_unit = inverse_power_of_two(power);
+    const double from[3] = {P.x, P.y, P.z}, along[3] = {D.x, D.y, D.z};
+    for (int k = 0; k < 3; ++k) {
+        result.P[k] = from[k];
+        result.d[k] = along[k] * to_unit;
+        set_axis(result, k, start[k], std::abs(start[k]) * 0x1p-52, along[k], power, size);
+    }
+    result.scale = power;
+    result.per_scale = to_unit;
+    result.shift = result.start_error = 0;
+    result.as_given = true;
+    return true;
+}
+
+/// The same; nothing where that is false.
+inline std::optional<BoxRay> box_ray(const Ray<double>& ray, const Engine& engine) {
+    BoxRay result;
+    if (!set_up(result, ray, engine)) return {};
+    return result;
 }
 
 }  // namespace glassbox::engine

@@ -1,13 +1,9 @@
 #include "engine/engine.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <limits>
+
+#include "engine/with_threads.hpp"
 
 namespace glassbox::engine {
 
@@ -48,12 +44,6 @@ float reach_of_most(std::span<const Boxed> boxed, float reach_of_all) {
     std::vector<float> some;
     for (std::size_t i = 0; i < boxed.size(); i += boxed.size() / samples + 1) some.push_back(boxed[i].box.reach());
     return std::min(16 * nine_in_ten_reach(std::move(some)), reach_of_all);
-}
-
-void put(double (&to)[3][fan_out], std::uint32_t at, const Vec3<double>& v) {
-    to[0][at] = v.x;
-    to[1][at] = v.y;
-    to[2][at] = v.z;
 }
 
 /// About how far most surfaces reach from the median of their middles.
@@ -125,43 +115,23 @@ Engine::Engine(std::vector<Sphere<double>> spheres, std::span<const Triangle<dou
     near_reach_ = reach_of_most(boxed, around_.reach());
     hierarchy_ = build(std::move(boxed), threads);
 
-    const auto add_block = [&](std::span<const std::uint32_t> surfaces) {
-        Block& block = blocks_.emplace_back();
-        block.count = static_cast<std::uint32_t>(surfaces.size());
-        Box box;
-        for (std::uint32_t at = 0; at < fan_out; ++at) {
-            const std::uint32_t surface = surfaces[std::min<std::size_t>(at, surfaces.size() - 1)];
-            const std::size_t number = surface - spheres_.size();
-            block.surface[at] = surface;
-            put(block.A, at, triangles[number].A);
-            put(block.B, at, triangles[number].B);
-            put(block.C, at, triangles[number].C);
-            if (at >= block.count) continue;
-            place_[number] = static_cast<std::uint32_t>(blocks_.size() - 1) * fan_out + at;
-            box.add(box_of(triangles[number], middle_));
-        }
-        std::ranges::copy(box.lo, block.lo);
-        std::ranges::copy(box.hi, block.hi);
-    };
-    blocks_.reserve(hierarchy_.triangle_leaves.size() + (loose_.size() + copies_.size()) / fan_out + 2);
-    for (const auto& [first, count] : hierarchy_.triangle_leaves)
-        add_block(std::span(hierarchy_.surfaces).subspan(first, count));
+    const NumberedTriangles numbered{triangles, spheres_.size()};
+    with_threads(threads, [&] { blocks_ = Blocks(hierarchy_.triangle_leaves, hierarchy_.surfaces, numbered); });
     std::vector<std::uint32_t> in_no_leaf;
     const auto add = [&](std::uint32_t surface) {
         if (surface >= spheres_.size()) in_no_leaf.push_back(surface);
     };
     for (const std::uint32_t surface : loose_) add(surface);
     for (const Copy& copy : copies_) add(copy.surface);
-    for (std::span<const std::uint32_t> rest = in_no_leaf; !rest.empty();) {
-        const std::size_t some = std::min<std::size_t>(rest.size(), fan_out);
-        add_block(rest.first(some));
-        rest = rest.subspan(some);
-    }
+    blocks_.add_unseen(in_no_leaf, numbered);
+    for (std::size_t number = 0; number < blocks_.size(); ++number)
+        for (std::uint32_t at = 0; at < blocks_[number].count; ++at)
+            place_[blocks_[number].surface[at] - spheres_.size()] = static_cast<std::uint32_t>(number) * fan_out + at;
 }
 
 std::size_t Engine::bytes() const {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return of(spheres_) + of(place_) + of(blocks_) + of(loose_) + of(copies_) + of(hierarchy_.nodes) +
+    return of(spheres_) + of(place_) + blocks_.bytes() + of(loose_) + of(copies_) + of(hierarchy_.nodes) +
            of(hierarchy_.surfaces) + of(hierarchy_.triangle_leaves) + of(hierarchy_.sphere_leaves);
 }
 

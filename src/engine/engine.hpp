@@ -7,6 +7,7 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
+#include "engine/block.hpp"
 #include "engine/copies.hpp"
 #include "engine/hierarchy.hpp"
 #include "numerics/power_of_two_scale.hpp"
@@ -29,19 +30,6 @@
 
 namespace glassbox::engine {
 
-/// The triangles of a leaf, coordinate by coordinate, as vectors read them. Places that are left over repeat the last
-/// triangle.
-struct alignas(64) Block {
-    double A[3][fan_out], B[3][fan_out], C[3][fan_out];
-    std::uint32_t surface[fan_out];
-    std::uint32_t count;
-    float lo[3], hi[3];  ///< around all of them, relative to the engine's middle
-
-    Triangle<double> triangle(std::uint32_t at) const {
-        return {{A[0][at], A[1][at], A[2][at]}, {B[0][at], B[1][at], B[2][at]}, {C[0][at], C[1][at], C[2][at]}};
-    }
-};
-
 /// A scene's surfaces made ready for rays, once for all views and all rays. Surfaces are numbered as everywhere:
 /// spheres first.
 class Engine {
@@ -62,7 +50,8 @@ public:
 
     const std::vector<Sphere<double>>& scaled_spheres() const { return spheres_; }
     const Hierarchy& hierarchy() const { return hierarchy_; }
-    const std::vector<Block>& blocks() const { return blocks_; }
+    /// One for each leaf of triangles, in their order; then those of loose ones and copies.
+    const Blocks& blocks() const { return blocks_; }
     /// The point that the hierarchy's boxes are relative to.
     const Vec3<double>& middle() const { return middle_; }
     /// Around all surfaces of the hierarchy.
@@ -87,7 +76,7 @@ public:
 
     Triangle<double> triangle(std::size_t surface) const {
         const std::uint32_t place = place_[surface - spheres_.size()];
-        return as_given(blocks_[place / fan_out].triangle(place % fan_out));
+        return as_given(blocks_.triangle(place / fan_out, place % fan_out));
     }
 
     /// Calls `use` with the sphere or the triangle of that number.
@@ -100,9 +89,9 @@ public:
     template <class Use>
     void for_each_surface(const Use& use) const {
         for (std::size_t i = 0; i < spheres_.size(); ++i) use(i, as_given(spheres_[i]));
-        for (const Block& block : blocks_)
-            for (std::uint32_t at = 0; at < block.count; ++at)
-                use(std::size_t{block.surface[at]}, as_given(block.triangle(at)));
+        for (std::size_t number = 0; number < blocks_.size(); ++number)
+            for (std::uint32_t at = 0; at < blocks_[number].count; ++at)
+                use(std::size_t{blocks_[number].surface[at]}, as_given(blocks_.triangle(number, at)));
     }
 
 private:
@@ -114,8 +103,7 @@ private:
     double scale_ = 1;
     std::vector<Sphere<double>> spheres_;
     std::vector<std::uint32_t> place_;  ///< of each triangle: its block, times 8, and where it stands there
-    std::vector<Block>
-        blocks_;  ///< one for each leaf of triangles, in their order; then those of loose ones and copies
+    Blocks blocks_;
     Hierarchy hierarchy_;
     Vec3<double> middle_;
     Box around_;

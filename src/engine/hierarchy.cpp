@@ -1,10 +1,7 @@
 #include "engine/hierarchy.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <atomic>
@@ -12,6 +9,8 @@
 #include <span>
 #include <tuple>
 #include <utility>
+
+#include "engine/with_threads.hpp"
 
 namespace glassbox::engine {
 
@@ -145,17 +144,37 @@ bool all_of_one_kind(std::span<Boxed> surfaces) {
                        [&](const Boxed& one) { return one.is_sphere == surfaces.front().is_sphere; });
 }
 
-/// Whether they make a leaf.
-bool fits_a_leaf(std::span<Boxed> surfaces) { return surfaces.size() <= fan_out && all_of_one_kind(surfaces); }
+/// The longest edge of a box.
+float length(const Box& box) { return std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]}); }
 
-/// How many surfaces come first after those that go to the left are moved there. Few of two kinds are parted by kind;
-/// those that no plane parts, and those so deep down that no heuristic helps, in the middle.
+/// Whether each is not much smaller than all of them together: the floats of a Block tell little of one that is.
+bool fill_their_box(const Part& part) {
+    constexpr float most = 256;
+    return std::all_of(part.surfaces.begin(), part.surfaces.end(), [&](const Boxed& one) {
+        return one.is_sphere || length(one.box) * most >= length(part.extent.around);
+    });
+}
+
+/// Whether they make a leaf.
+bool fits_a_leaf(const Part& part) {
+    if (part.surfaces.size() == 1) return true;
+    return part.surfaces.size() <= fan_out && all_of_one_kind(part.surfaces) && fill_their_box(part);
+}
+
+/// How many surfaces come first after those that go to the left are moved there. Few of two kinds are parted by kind,
+/// and then large ones from small ones; those that no plane parts, and those so deep down that no heuristic helps, in
+/// the middle.
 std::size_t arranged(const Part& part, int depth) {
     const auto moved = [&](const auto& goes_left) {
         const auto middle = std::partition(part.surfaces.begin(), part.surfaces.end(), goes_left);
         return static_cast<std::size_t>(middle - part.surfaces.begin());
     };
-    if (part.surfaces.size() <= fan_out) return moved([](const Boxed& one) { return one.is_sphere; });
+    if (part.surfaces.size() <= fan_out) {
+        if (!all_of_one_kind(part.surfaces)) return moved([](const Boxed& one) { return one.is_sphere; });
+        const float half = length(part.extent.around) / 2;
+        const std::size_t large = moved([&](const Boxed& one) { return length(one.box) > half; });
+        if (large > 0 && large < part.surfaces.size()) return large;
+    }
     if (depth > deep) return part.surfaces.size() / 2;
     const Binning binning(part.extent.middles);
     const Bins all = summed<Bins>(part.surfaces, [&](std::span<Boxed> some, Bins& result) {
@@ -209,7 +228,7 @@ private:
         while (count < fan_out) {
             Part* largest = nullptr;
             for (Part& one : std::span(parts, static_cast<std::size_t>(count)))
-                if (!fits_a_leaf(one.surfaces) &&
+                if (!fits_a_leaf(one) &&
                     (!largest || one.extent.around.half_area() > largest->extent.around.half_area()))
                     largest = &one;
             if (!largest) break;
@@ -224,7 +243,7 @@ private:
                 continue;
             }
             const auto [surfaces, extent] = parts[i];
-            if (fits_a_leaf(surfaces)) {
+            if (fits_a_leaf(parts[i])) {
                 set_child(node, i, extent.around, leaf_of(surfaces));
                 continue;
             }
@@ -278,10 +297,8 @@ private:
 
 Hierarchy build(std::vector<Boxed> surfaces, int threads) {
     if (surfaces.empty()) return {};
-    if (threads <= 0) threads = tbb::info::default_concurrency();
-    const tbb::global_control enough(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     Hierarchy result;
-    tbb::task_arena(threads).execute([&] { result = Builder(surfaces).build(); });
+    with_threads(threads, [&] { result = Builder(surfaces).build(); });
     return result;
 }
 

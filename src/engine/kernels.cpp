@@ -14,6 +14,7 @@ namespace glassbox::engine::HWY_NAMESPACE {
 #include "engine/vectors.inl"
 
 #include "engine/children_met.inl"
+#include "engine/ray_triangles.inl"
 
 /// A template, so that a traversal that nobody hears of box by box is compiled without the telling.
 template <class Open>
@@ -49,24 +50,12 @@ HWY_ATTR TraversalCounts TraverseTelling(const Hierarchy& hierarchy, const BoxRa
     return traverse_telling(hierarchy, ray, t_max, visit, open);
 }
 
-/// Side products as in filter::sides_error: |ŝ − s| ≤ 8u S, and S ≤ 2m²(|D.x| + |D.y| + |D.z|), where m is the largest
-/// coordinate of the vertices as seen from P; 20u for 16u covers the bound's own rounding, 2⁻⁹⁰⁰ any underflow. A start
-/// that is off by δ changes s by |D|(4mδ + 2δ²) at most.
-HWY_ATTR std::uint32_t NotMissed(const Block& block, const Ray<double>& ray, double start_error) {
-    const Vec3<Doubles> P = broadcast(ray.P), D = broadcast(ray.D);
-    const double D_size = std::abs(ray.D.x) + std::abs(ray.D.y) + std::abs(ray.D.z);
-    const double by_rounding = 20 * 0x1p-53 * D_size, by_start = 6 * start_error * D_size;
+HWY_ATTR std::uint32_t NotMissed(const Block& block, const BoxRay& ray) {
+    ShearedRay line = sheared(ray);
+    line.from = -std::numeric_limits<double>::infinity();
     std::uint32_t result = 0;
-    for (std::size_t at = 0; at < fan_out; at += Doubles::count()) {
-        const Vec3<Doubles> A = load(block.A, at) - P, B = load(block.B, at) - P, C = load(block.C, at) - P;
-        const Doubles a = side(D, B, C), b = side(D, C, A), c = side(D, A, B);
-        const auto size = [](const Vec3<Doubles>& v) HWY_ATTR { return max(max(abs(v.x), abs(v.y)), abs(v.z)); };
-        const Doubles m = max(max(size(A), size(B)), size(C));
-        const Doubles error = by_rounding * m * m + by_start * (m + start_error) + 0x1p-900;
-        const auto missed = (max(max(a, b), c) > error) & (min(min(a, b), c) < -error);
-        result |= bits_of(!missed) << at;
-    }
-    return result & ((1u << block.count) - 1);
+    for_each_met(line, block, [&](std::uint32_t at, bool, double, double) { result |= 1u << at; });
+    return result;
 }
 
 const char* VectorsUsed() { return hwy::TargetName(HWY_TARGET); }
@@ -90,9 +79,7 @@ TraversalCounts traverse(const Hierarchy& hierarchy, const BoxRay& ray, float t_
     return HWY_DYNAMIC_DISPATCH(TraverseTelling)(hierarchy, ray, t_max, visit, open);
 }
 
-std::uint32_t not_missed(const Block& block, const Ray<double>& ray, double start_error) {
-    return HWY_DYNAMIC_DISPATCH(NotMissed)(block, ray, start_error);
-}
+std::uint32_t not_missed(const Block& block, const BoxRay& ray) { return HWY_DYNAMIC_DISPATCH(NotMissed)(block, ray); }
 
 const char* vectors_used() { return HWY_DYNAMIC_DISPATCH(VectorsUsed)(); }
 

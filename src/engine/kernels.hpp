@@ -29,9 +29,9 @@ using OpenBox = FunctionRef<void(std::uint32_t code)>;
 TraversalCounts traverse(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit);
 TraversalCounts traverse(const Hierarchy& hierarchy, const BoxRay& ray, float t_max, VisitLeaf visit, OpenBox open);
 
-/// The triangles of a block that the ray may meet, a bit each: all others it surely misses. Its start may be off by so
-/// much along each axis.
-std::uint32_t not_missed(const Block& block, const Ray<double>& ray, double start_error = 0);
+/// The triangles of a block that the ray, or its line behind the start, may meet, a bit each: all others it surely
+/// misses.
+std::uint32_t not_missed(const Block& block, const BoxRay& ray);
 
 /// The name of the vectors that were chosen: "AVX3", say.
 const char* vectors_used();

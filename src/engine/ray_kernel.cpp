@@ -17,25 +17,17 @@ namespace glassbox::engine::HWY_NAMESPACE {
 #include "engine/ray_triangles.inl"
 #include "engine/sphere_roots.inl"
 
-// Needs both of the last two.
+// Needs the last.
 #include "engine/ray_spheres.inl"
-
-/// No coordinate of a vertex in the hierarchy as seen from the ray's start is larger.
-inline double farthest_corner(const Engine& engine, const BoxRay& ray) {
-    const glassbox::Vec3<double>& middle = engine.middle();
-    const double farthest =
-        std::max({std::abs(ray.P[0] - middle.x), std::abs(ray.P[1] - middle.y), std::abs(ray.P[2] - middle.z)});
-    return (farthest + engine.reach()) * (1 + 0x1p-40);
-}
 
 /// Traces one ray by itself; with `Any`, only until something is surely met.
 template <bool Any>
 class RayKernel {
 public:
     HWY_ATTR RayKernel(const Engine& engine, const BoxRay& ray, Candidates& found)
-        : found_(found), engine_(engine), ray_(ray), sheared_(sheared(ray, farthest_corner(engine, ray))) {}
+        : found_(found), engine_(engine), ray_(ray), sheared_(sheared(ray)) {}
 
-    HWY_ATTR void operator()() {
+    HWY_INLINE HWY_ATTR void operator()() {
         const Hierarchy& hierarchy = engine_.hierarchy();
         if (hierarchy.nodes.empty()) return;
         Visits visits({0, 0});
@@ -57,23 +49,22 @@ private:
         alignas(32) float entries[fan_out];
         const std::uint32_t met = children_met(node, ray_, t_max_, entries);
         if (met == 0) return Child::nothing;
+        if (Any) return visits.push_all_but_one(node, met);  // sorting them would cost more than it saves
         if ((met & (met - 1)) == 0) return node.child[__builtin_ctz(met)];
         return visits.push_all_but_nearest(node, met, entries);
     }
 
-    HWY_ATTR void test(std::uint32_t leaf) {
-        const std::uint32_t index = Child::index(leaf);
-        if (Child::is_of_spheres(leaf)) {
-            const auto [first, count] = engine_.hierarchy().sphere_leaves[index];
-            const std::uint32_t* const numbers = engine_.hierarchy().surfaces.data() + first;
-            take(may_meet(ray_, engine_.scaled_spheres().data(), numbers, count, found_.high), numbers);
-        } else {
-            const Block& block = engine_.blocks()[index];
-            take(may_meet(sheared_, block, found_.high), block.surface);
-        }
+    HWY_INLINE HWY_ATTR void test(std::uint32_t leaf) {
+        if (Child::is_of_spheres(leaf)) return test_spheres(engine_.hierarchy().sphere_leaves[Child::index(leaf)]);
+        const Block& block = engine_.blocks()[Child::index(leaf)];
+        for_each_met(sheared_, block, [&](std::uint32_t at, bool sure, double low, double high) HWY_ATTR {
+            add(block.surface[at], sure, low, high);
+        });
     }
 
-    HWY_ATTR void take(const MayMeet& met, const std::uint32_t* numbers) {
+    HWY_NOINLINE HWY_ATTR void test_spheres(const Leaf& leaf) {
+        const std::uint32_t* const numbers = engine_.hierarchy().surfaces.data() + leaf.first;
+        const MayMeet met = may_meet(ray_, engine_.scaled_spheres().data(), numbers, leaf.count, found_.high);
         for (std::uint32_t rest = met.some; rest != 0; rest &= rest - 1) {
             const int at = __builtin_ctz(rest);
             add(numbers[at], (met.sure >> at & 1) != 0, met.low[at], met.high[at]);
@@ -113,16 +104,20 @@ private:
     float t_max_ = std::numeric_limits<float>::infinity();
 };
 
-HWY_ATTR Candidates FirstCandidates(const Engine& engine, const BoxRay& ray) {
+template <bool Any>
+HWY_INLINE HWY_ATTR Candidates candidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes) {
     Candidates found;
-    RayKernel<false>(engine, ray, found)();
+    if (set_up(boxes, ray, engine)) RayKernel<Any>(engine, boxes, found)();
+    else found.any_may_be = true;
     return found;
 }
 
-HWY_ATTR Candidates AnyCandidates(const Engine& engine, const BoxRay& ray) {
-    Candidates found;
-    RayKernel<true>(engine, ray, found)();
-    return found;
+HWY_ATTR Candidates FirstCandidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes) {
+    return candidates<false>(engine, ray, boxes);
+}
+
+HWY_ATTR Candidates AnyCandidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes) {
+    return candidates<true>(engine, ray, boxes);
 }
 
 }  // namespace glassbox::engine::HWY_NAMESPACE
@@ -134,12 +129,12 @@ namespace glassbox::engine {
 HWY_EXPORT(FirstCandidates);
 HWY_EXPORT(AnyCandidates);
 
-Candidates first_candidates(const Engine& engine, const BoxRay& ray) {
-    return HWY_DYNAMIC_DISPATCH(FirstCandidates)(engine, ray);
+Candidates first_candidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes) {
+    return HWY_DYNAMIC_DISPATCH(FirstCandidates)(engine, ray, boxes);
 }
 
-Candidates any_candidates(const Engine& engine, const BoxRay& ray) {
-    return HWY_DYNAMIC_DISPATCH(AnyCandidates)(engine, ray);
+Candidates any_candidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes) {
+    return HWY_DYNAMIC_DISPATCH(AnyCandidates)(engine, ray, boxes);
 }
 
 }  // namespace glassbox::engine

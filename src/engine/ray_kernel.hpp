@@ -22,16 +22,17 @@ struct Candidates {
 
     int count = 0;
     bool too_many = false;                                  ///< more than there is place for: the list is not whole
+    bool any_may_be = false;                                ///< there is no BoxRay
     double high = std::numeric_limits<double>::infinity();  ///< the ray surely meets one at a t no larger than this
     Candidate list[most];
 
-    bool is_told() const { return !too_many && (count == 0 || (count == 1 && list[0].sure)); }
+    bool is_told() const { return !too_many && !any_may_be && (count == 0 || (count == 1 && list[0].sure)); }
 };
 
-/// What a ray may meet first of the engine's surfaces, the loose ones left out.
-Candidates first_candidates(const Engine& engine, const BoxRay& ray);
+/// What a ray may meet first of the engine's surfaces, the loose ones left out. Makes it a BoxRay.
+Candidates first_candidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes);
 
 /// The same where it matters only whether it meets any: one that is sure stands alone, whether or not it is the first.
-Candidates any_candidates(const Engine& engine, const BoxRay& ray);
+Candidates any_candidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes);
 
 }  // namespace glassbox::engine

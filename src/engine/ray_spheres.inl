@@ -1,5 +1,11 @@
-// A leaf's spheres before a single ray: which it may meet, and between which t. To be included after ray_triangles.inl
-// and sphere_roots.inl.
+// A leaf's spheres before a single ray: which it may meet, and between which t. To be included after
+// sphere_roots.inl.
+
+/// Which of up to eight surfaces a ray may meet, and which it does, a bit each; and between which t.
+struct MayMeet {
+    std::uint32_t some = 0, sure = 0;
+    alignas(64) double low[fan_out], high[fan_out];
+};
 
 /// Of `count` spheres, eight at most, those that the ray may meet at a t of `before` or less.
 HWY_INLINE HWY_ATTR MayMeet may_meet(const BoxRay& from, const glassbox::Sphere<double>* spheres,

@@ -1,32 +1,25 @@
 // A block's triangles before a single ray: which it may meet, and between which t. To be included after vectors.inl.
 
-/// Which of up to eight surfaces a ray may meet, and which it does, a bit each; and between which t.
-struct MayMeet {
-    std::uint32_t some = 0, sure = 0;
-    alignas(64) double low[fan_out], high[fan_out];
-};
+constexpr float float_u = 0x1p-24f;
 
 /// A ray as it is held against triangles: its axes renamed, so that its direction is longest along z, and everything
 /// sheared along x and y, so that the direction becomes (0, 0, D.z). Side products are then those of two dimensions
-/// (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). Its start is off by `start_error` at most.
-/// `farthest` is no less than any coordinate of a vertex as seen from there. What begins at a t of `from` or before
-/// does not count.
+/// (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). What begins at a t of `from` or before does
+/// not count.
 struct ShearedRay {
     std::size_t x, y, z;
-    double P_x, P_y, P_z, shear_x, shear_y, per_D_z, start_error, from, coarse_E;
+    double P_x, P_y, P_z, shear_x, shear_y, per_D_z;
+    double start_error, from;
 };
 
-/// The most that a side product is off, for corners no coordinate of which is larger than m: see may_meet.
-template <class Number>
-HWY_INLINE HWY_ATTR Number side_error(const Number& m, double start_error) {
-    return 80 * 0x1p-53 * m * m + start_error * 20 * (m + start_error) + 0x1p-900;
-}
-
-inline ShearedRay sheared(const BoxRay& from, double farthest) {
+inline ShearedRay sheared(const BoxRay& from) {
     const double(&P)[3] = from.P, (&D)[3] = from.d;
-    std::size_t z = std::abs(D[1]) > std::abs(D[0]) ? 1 : 0;
-    if (std::abs(D[2]) > std::abs(D[z])) z = 2;
-    const std::size_t x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
+    // Without a branch: which way a ray runs nobody can foresee.
+    const double along_x = std::abs(D[0]), along_y = std::abs(D[1]), along_z = std::abs(D[2]);
+    const std::size_t more_y = along_y > along_x, most_z = along_z > std::max(along_x, along_y);
+    const std::size_t z = more_y + most_z * (2 - more_y);
+    constexpr std::size_t next[] = {1, 2, 0};
+    const std::size_t x = next[z], y = next[x];
     const double per_D_z = 1 / D[z];
     return {x,
             y,
@@ -38,68 +31,91 @@ inline ShearedRay sheared(const BoxRay& from, double farthest) {
             D[y] * per_D_z,
             per_D_z,
             from.start_error,
-            -from.shift,
-            side_error(farthest, from.start_error)};
+            -from.shift};
 }
 
-/// The corners of eight triangles as such a ray sees them.
-struct ShearedCorner {
-    Doubles x, y, z, size;  ///< `size`: the largest coordinate before they were sheared
+/// A block as such a ray sees it, in the block's units: see for_each_met.
+struct SeenBlock {
+    FanOfFloats q_x, q_y, shear_x, shear_y, E;
+    double t_0, t_error;  ///< of the block's origin: the ray's own t, and what it is off, together with a sum's rounding
 
-    HWY_ATTR ShearedCorner(const ShearedRay& ray, const double (&of)[3][fan_out], std::size_t at) {
-        const Doubles seen_x = Doubles::load(of[ray.x] + at) - ray.P_x,
-                      seen_y = Doubles::load(of[ray.y] + at) - ray.P_y;
-        z = Doubles::load(of[ray.z] + at) - ray.P_z;
-        x = seen_x - z * ray.shear_x;
-        y = seen_y - z * ray.shear_y;
-        size = max(max(abs(seen_x), abs(seen_y)), abs(z));
+    HWY_ATTR SeenBlock(const ShearedRay& ray, const Block& block) {
+        const auto per_unit = static_cast<double>(block.per_unit), unit = static_cast<double>(block.unit);
+        const double p_x = (block.origin[ray.x] - ray.P_x) * per_unit, p_y = (block.origin[ray.y] - ray.P_y) * per_unit,
+                     p_z = (block.origin[ray.z] - ray.P_z) * per_unit;
+        q_x = static_cast<float>(p_x - p_z * ray.shear_x);
+        q_y = static_cast<float>(p_y - p_z * ray.shear_y);
+        shear_x = static_cast<float>(ray.shear_x);
+        shear_y = static_cast<float>(ray.shear_y);
+        const FanOfFloats by_start = static_cast<float>(ray.start_error * per_unit);
+        const FanOfFloats c = abs(FanOfFloats(static_cast<float>(p_z))) * 0x1p-50f + (by_start * 2.0f + 0x1p-110f);
+        const FanOfFloats R = max(abs(q_x), abs(q_y)) + 2.0f;
+        E = (R + c * 2.0f) * (R * (21 * float_u) + c * 4.2f);
+        t_0 = p_z * ray.per_D_z * unit;
+        t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;
     }
 };
 
-/// The triangles of a block that the ray may meet at a t of `before` or less.
+/// The corners of eight triangles as such a ray sees them.
+struct ShearedCorner {
+    FanOfFloats x, y, z;
+
+    HWY_ATTR ShearedCorner(const ShearedRay& ray, const SeenBlock& seen, const float (&of)[3][fan_out], std::size_t at)
+        : z(FanOfFloats::load(of[ray.z] + at)) {
+        x = FanOfFloats::load(of[ray.x] + at) + seen.q_x - z * seen.shear_x;
+        y = FanOfFloats::load(of[ray.y] + at) + seen.q_y - z * seen.shear_y;
+    }
+};
+
+/// Calls `take(at, sure, low, high)` for each of a block's triangles that the ray may meet, between two t; `sure` says
+/// that it does.
 ///
-/// With m the largest coordinate of the corners as seen from P:
-/// - Sheared coordinates are at most 2m, and off by 7um: u|A.x| and 4u|A.z D.x/D.z| for what they are computed from,
-/// and
-///   their own rounding, 2um. So a side product, a difference of two products, is off by 4·2m·7um and by its own
-///   rounding, 16um²: together less than E = 80um². Its sign is sure where it is farther from 0.
-/// - A corner's tᵢ = z/D.z is off by F = 4um/|D.z| at most.
-/// - What the start is off, δ, moves sheared coordinates by 2δ, side products by 16δ(m + δ), and tᵢ by δ/|D.z|.
+/// In the block's units, as seen from its origin, corners are −1 to 1. Where the ray passes there is found in doubles,
+/// (q_x, q_y), and everything else in floats, u = 2⁻²⁴. With p the block's origin as seen from the ray's start, in
+/// these units, Q = max(|q_x|, |q_y|), and |D.x/D.z|, |D.y/D.z|, |1/D.z| ≤ 1:
+/// - q_x = p.x − p.z D.x/D.z is off by 7·2⁻⁵³ max(|p.x|, |p.y|, |p.z|), which is at most Q + |p.z|, and by 2δ where the
+///   ray's start is off by δ: together by less than c + 2⁻⁵⁰Q, where c = 2⁻⁵⁰|p.z| + 2δ.
+/// - A corner's sheared coordinate, v.x + q_x − v.z D.x/D.z, is at most R = 2 + Q, and in floats off by 7u + 3uQ: for
+///   v, q_x and D.x/D.z, and for its own rounding. Together with what q_x is off that is less than e = 4uR + c.
+/// - A side product, a difference of two products, is off by 4(R + 2e)e, and by its own rounding, 4u(R + 2e)²: together
+///   by (R + 2c)(20uR + 4c), and a little; E is that and a twentieth. Its sign is sure where it is farther from 0.
+/// - A corner's tᵢ is t₀ + τᵢ, that of the block's origin and τᵢ = v.z/D.z, which is off by F = 4u.
 /// - A hit's t is the mean of the corners' tᵢ weighted by the side products, which have one sign: it lies between the
 ///   least and the greatest tᵢ. With weights that are off by E it is off by no more than 3E times the corners' distance
 ///   in t over what their sum has for sure, see FilteredPredicates::sure_range, and that is at least half of the sum if
-///   it is more than 7E. What is rounded besides is less than 2⁻⁴⁸ of the largest tᵢ.
-/// 2⁻⁹⁰⁰ hides what underflow takes; where corners are so near that it could take more, nothing is sure.
-HWY_INLINE HWY_ATTR MayMeet may_meet(const ShearedRay& ray, const Block& block, double before) {
-    constexpr double u = 0x1p-53;
-    const double coarse_E = ray.coarse_E;
-    MayMeet result;
-    for (std::size_t at = 0; at < fan_out; at += Doubles::count()) {
-        const ShearedCorner A(ray, block.A, at), B(ray, block.B, at), C(ray, block.C, at);
-        const Doubles a = B.x * C.y - B.y * C.x, b = C.x * A.y - C.y * A.x, c = A.x * B.y - A.y * B.x;
-        const Doubles least = min(min(a, b), c), most = max(max(a, b), c);
-        if (none(!((most > coarse_E) & (least < -coarse_E)))) continue;
+///   it is more than 7E. The mean's own rounding is 7u at most.
+/// 2⁻¹¹⁰ hides what underflow takes. Where floats overflow, E does or comparisons fail: the triangle may be met, then,
+/// and is not for sure.
+template <class Take>
+HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block, const Take& take) {
+    const SeenBlock seen(ray, block);
+    const FanOfFloats& E = seen.E;
+    const auto unit = static_cast<double>(block.unit);
+    for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
+        const ShearedCorner A(ray, seen, block.A, at), B(ray, seen, block.B, at), C(ray, seen, block.C, at);
+        const FanOfFloats a = B.x * C.y - B.y * C.x, b = C.x * A.y - C.y * A.x, c = A.x * B.y - A.y * B.x;
+        const FanOfFloats least = min(min(a, b), c), most = max(max(a, b), c);
+        const auto missed = (most > E) & (least < -E);
+        if (none(!missed)) continue;
 
-        const Doubles m = max(max(A.size, B.size), C.size);
-        const Doubles E = side_error(m, ray.start_error);
-        const auto outside = (most > E) & (least < -E);
-        const Doubles F = std::abs(ray.per_D_z) * (4 * u * m + 2 * ray.start_error);
-        const Doubles t_A = A.z * ray.per_D_z, t_B = B.z * ray.per_D_z, t_C = C.z * ray.per_D_z;
-        const Doubles nearest = min(min(t_A, t_B), t_C), farthest = max(max(t_A, t_B), t_C);
-        const Doubles sum = a + b + c, per_sum = 1.0 / sum;
-        const Doubles middle = (a * t_A + b * t_B + c * t_C) * per_sum;
-        const Doubles off =
-            6 * E * (farthest - nearest + 2 * F) * abs(per_sum) + F + 0x1p-48 * max(abs(nearest), abs(farthest));
-        const auto one_sign = (max(least, -most) > E) & (abs(sum) > 7 * E) & (m > 0x1p-150);
-        constexpr double wider = 1 + 0x1p-40;  // for the bounds' own rounding
-        const Doubles t_low = select(one_sign, middle - off * wider, nearest - F * wider),
-                      t_high = select(one_sign, middle + off * wider, farthest + F * wider);
-        t_low.store(result.low + at);
-        t_high.store(result.high + at);
-        const auto behind = (t_high < ray.from) | (t_low > before);
-        result.sure |= bits_of(one_sign & (t_low > ray.from)) << at;
-        result.some |= bits_of(!(outside | behind)) << at;
+        constexpr float F = 5 * float_u, wider = 1 + 0x1p-10f;  // the last for the bounds' own rounding
+        const FanOfFloats per_D_z = static_cast<float>(ray.per_D_z);
+        const FanOfFloats tau_A = A.z * per_D_z, tau_B = B.z * per_D_z, tau_C = C.z * per_D_z;
+        const FanOfFloats nearest = min(min(tau_A, tau_B), tau_C), farthest = max(max(tau_A, tau_B), tau_C);
+        const FanOfFloats sum = a + b + c, per_sum = 1.0f / sum;
+        const FanOfFloats middle = a * per_sum * tau_A + b * per_sum * tau_B + c * per_sum * tau_C;
+        const FanOfFloats off = E * abs(per_sum) * (farthest - nearest + 2 * F) * (6 * wider) + (F + 8 * float_u);
+        const auto one_sign = (max(least, -most) > E) & (abs(sum) > E * (7 * wider));
+        alignas(32) float low[fan_out], high[fan_out];
+        select(one_sign, middle - off, nearest - F).store(low + at);
+        select(one_sign, middle + off, farthest + F).store(high + at);
+        const std::uint32_t sure = bits_of(one_sign) << at;
+        for (std::uint32_t rest = (bits_of(!missed) << at) & ((1u << block.count) - 1); rest != 0; rest &= rest - 1) {
+            const auto one = static_cast<std::uint32_t>(__builtin_ctz(rest));
+            const double t_low = seen.t_0 + unit * static_cast<double>(low[one]) - seen.t_error;
+            const double t_high = seen.t_0 + unit * static_cast<double>(high[one]) + seen.t_error;
+            if (t_high < ray.from) continue;
+            take(one, (sure >> one & 1) != 0 && t_low > ray.from, t_low, t_high);
+        }
     }
-    result.some &= (1u << block.count) - 1;
-    return result;
 }

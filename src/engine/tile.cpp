@@ -31,15 +31,13 @@ double to_ordinary_length(double length) {
     return std::ldexp(1, -std::ilogb(length));
 }
 
-/// Fills in the scales for directions of that size, and vertices that far from the rays; false if these are not
+/// Fills in the scales for directions of that size, and surfaces that far from the rays; false if these are not
 /// ordinary.
 bool set_scales(Grid& grid, double direction, double distance) {
     if (!is_ordinary(direction) || !is_ordinary(distance)) return false;
-    const int e = std::ilogb(distance) + 1;
-    grid.direction_scale = std::ldexp(1, -2 * e - std::ilogb(direction));
-    grid.farthest = std::ldexp(1, e + 50);  // side products are then less than 2¹⁰⁴
-    grid.key_scale = std::ldexp(1, grid.pinhole ? 3 * e : -3 * e);
-    grid.key_of_t = grid.pinhole ? grid.key_scale * grid.direction_scale : grid.key_scale / grid.direction_scale;
+    grid.distance = std::ldexp(1, std::ilogb(distance) + 1);
+    grid.direction_scale = std::ldexp(1, -std::ilogb(direction));
+    grid.key_of_t = grid.pinhole ? grid.distance * grid.direction_scale : 1 / (grid.distance * grid.direction_scale);
     return true;
 }
 
@@ -60,14 +58,8 @@ std::optional<Grid> grid(const Vec3<double>& given_eye, const ViewingPlane<doubl
     // L and the ray's direction are each rounded five times, relatively to sums of these sizes.
     const Vec3<double> terms = plane_sizes(plane, width, height);
     g.ray_error = 12 * u * sum(terms);
-    const double direction = sum(terms);
-    if (!set_scales(g, direction, static_cast<double>(engine.near_reach()) + greatest(sizes(eye - engine.middle()))))
+    if (!set_scales(g, sum(terms), static_cast<double>(engine.near_reach()) + greatest(sizes(eye - engine.middle()))))
         return {};
-    const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
-    // A side product's terms add up to at most 2m²|D|, each rounded seven times; and B × A is at most 2m² along each
-    // axis.
-    g.side1 = g.direction_scale * (20 * u * (direction + steps) + 2 * g.ray_error);
-    g.volume1 = 60 * u;  // the terms of |A B C| add up to 6m³, each rounded eight times
     return g;
 }
 
@@ -82,20 +74,10 @@ std::optional<Grid> grid(const Parallel<double>& given, int width, int height, c
     g.up = view.plane.up;
     const Vec3<double> terms = plane_sizes(view.plane, width, height);
     g.ray_error = 12 * u * sum(terms);
-    const double direction = sum(sizes(view.direction)), thickest = greatest(sizes(view.direction));
     const ViewingPlane<double> seen{view.plane.corner - engine.middle(), view.plane.right, view.plane.up};
-    if (!set_scales(g, direction,
+    if (!set_scales(g, sum(sizes(view.direction)),
                     static_cast<double>(engine.near_reach()) + greatest(plane_sizes(seen, width, height))))
         return {};
-    const double steps = 4 * (sum(sizes(g.right)) + sum(sizes(g.up)));
-    g.side1 = g.direction_scale * 20 * u * direction;
-    // B − A is at most 2m along each axis, and off by 4um; (B − A) × D at most 4m|D|, and off by 20um|D|; times a step,
-    // by 32um|D| of it.
-    g.side2 = g.direction_scale * (40 * u * steps + 4 * g.ray_error) * thickest;
-    g.volume1 = 60 * u;
-    // |A B C| changes along the steps by their product with A × B + B × C + C × A: at most 6m² along each axis, off by
-    // 36um², with the step by 54um².
-    g.volume2 = 60 * u * steps + 6 * g.ray_error;
     return g;
 }
 

@@ -16,14 +16,14 @@ inline constexpr int tile_size = tile_side * tile_side;
 ///
 /// All of them start in one point, or all run one way; the other of the two is L(j, i) = corner + j right + i up, but
 /// for rounding. So within a tile about its middle (j₀, i₀) what decides about a triangle changes linearly in dj =
-/// j − j₀ and di = i − i₀. With A, B seen from the rays' start, or from that of the middle, the side product D·(B × A)
-/// is
+/// j − j₀ and di = i − i₀. With D the direction, A and B seen from some origin O near the triangle, and p that origin
+/// as seen from the rays' start, the side product D·((p + B) × (p + A)) is
 ///
-///   (D₀ + dj right + di up)·(B × A)                      in a pinhole's view,
-///   D·(B × A) + (dj right + di up)·((B − A) × D)         in a parallel one,
+///   D·(B × A) + (B − A)·(p × D),
 ///
-/// three numbers an edge, found once a tile in double, after which a ray costs two products. As dj and di are small,
-/// single precision is enough for nearly all rays: see TileKernel in tile_kernel.cpp for the bounds.
+/// and p × D, or D itself as well, changes linearly: three numbers an edge, found once a tile, after which a ray costs
+/// two products. What is large, p, is multiplied in double; as all else is small, single precision is enough for nearly
+/// all rays: see tile_triangles.inl for the bounds.
 struct Grid {
     // At the engine's scale, and for directions of ordinary length:
     bool pinhole = false;
@@ -31,17 +31,13 @@ struct Grid {
     Vec3<double> direction;          ///< of a parallel one
     Vec3<double> corner, right, up;  ///< of a pinhole's plane as seen from its eye
 
-    /// The powers of two by which directions, and what tells near from far, are multiplied: so that floats neither
-    /// overflow nor underflow.
-    double direction_scale = 1, key_scale = 1;
-    /// They would where a triangle has corners as far off as this, or all within 2⁻¹⁵⁰ of it.
-    double farthest = 0;
+    /// A power of two by which directions become about 1 long.
+    double direction_scale = 1;
+    /// About as far as the engine's surfaces are from the rays' start, a power of two; tiles are given up where a
+    /// triangle is 2⁵⁰ times as far off, or its block 2⁵⁰ times as small.
+    double distance = 1;
     /// |L − the ray's own number|, summed over the axes, for L and for the ray itself.
     double ray_error = 0;
-    /// With m the largest coordinate of a triangle's vertices as seen from the rays: the errors of a side product are
-    /// at most m(m side1 + side2), those of the determinant |A B C| at most m²(m volume1 + volume2), anywhere in a
-    /// tile.
-    double side1 = 0, side2 = 0, volume1 = 0, volume2 = 0;
 
     /// The engine's t, at its scale and along the directions above, is that of the view's rays times this.
     double t_scale = 1;
@@ -74,6 +70,8 @@ constexpr int place_in_tile(int x, int y) {
 struct alignas(64) Tile {
     std::uint32_t surface[tile_size];
     float key_low[tile_size], key_high[tile_size];
+
+    float key(int at) const { return 0.5f * key_low[at] + 0.5f * key_high[at]; }
 };
 
 /// The engine's t of a key.

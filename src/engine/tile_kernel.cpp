@@ -220,9 +220,9 @@ private:
     }
 
     HWY_ATTR void test_triangles(const Block& block) {
-        const double m = farthest_vertex(block);
-        if (!(m < grid_.farthest && m > grid_.farthest * 0x1p-150)) return give_up();
-        Triangles triangles = set_up(tile_rays(grid_, middle_, m), block, least_key_);
+        const TileRays rays = tile_rays(grid_, middle_, block);
+        if (!are_within_floats(rays)) return give_up();
+        Triangles triangles = set_up(rays, block, least_key_);
         if (triangles.left == 0) return;
         std::uint32_t in_quarter[quarters];
         sort_out(triangles, in_quarter);
@@ -234,14 +234,9 @@ private:
         }
     }
 
-    /// The largest coordinate of a vertex as seen from any of the tile's rays, or more.
-    double farthest_vertex(const Block& block) const {
-        const glassbox::Vec3<double> P = middle_.P - engine_.middle();
-        const double at[3] = {P.x, P.y, P.z};
-        double most = 0;
-        for (int k = 0; k < 3; ++k)
-            most = std::max({most, static_cast<double>(block.hi[k]) - at[k], at[k] - static_cast<double>(block.lo[k])});
-        return (most + std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])}) * 0x1p-40) * (1 + 0x1p-40);
+    /// Whether floats neither overflow nor underflow in what they are held against.
+    static bool are_within_floats(const TileRays& rays) {
+        return most_of(rays.p) < 0x1p60 && rays.key_factor < 0x1p50 && rays.key_factor > 0x1p-60;
     }
 
     /// Which of the triangles rays of a quarter may hit, before all that was met there: by the greatest numbers there.
@@ -280,13 +275,13 @@ private:
                 };
                 const Floats a = number(triangles.edge[0]), b = number(triangles.edge[1]),
                              c = number(triangles.edge[2]);
-                const auto possible = min(min(a, b), c) >= 0.0f;
+                const Floats innermost = min(min(a, b), c);
+                const auto possible = innermost >= 0.0f;
                 if (none(possible)) continue;
                 const Floats key = number(triangles.key), key_error = triangles.key_error[at];
                 const Floats low = key - key_error, high = key + key_error;
                 const auto live = possible & (high >= best.low) & (low < behind);
-                const auto sure = live & (high < behind) & (a > triangles.sure[0][at]) & (b > triangles.sure[1][at]) &
-                                  (c > triangles.sure[2][at]);
+                const auto sure = live & (high < behind) & (innermost > triangles.sure[at]);
                 best.take({live, sure, low, high}, block.surface[at]);
             }
             best.store(tile_, i);

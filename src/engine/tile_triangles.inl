@@ -1,123 +1,195 @@
 // A block's triangles before a tile's rays: what each ray needs to know of them. To be included after vectors.inl.
 
+using FanOfVectors = Vec3<FanOfFloats>;
+
+/// The largest of a vector's coordinates.
+HWY_INLINE HWY_ATTR FanOfFloats largest(const FanOfVectors& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
+
 /// A number that is linear within the tile, value + dj·right + di·up, for each of eight triangles.
 struct Linear {
-    alignas(64) float value[fan_out], right[fan_out], up[fan_out];
+    alignas(32) float value[fan_out], right[fan_out], up[fan_out];
 };
 
 /// An edge's number at a ray is not negative if the ray may hit the triangle, and above `sure` if it does, as far as
 /// this edge tells.
 struct Triangles {
     Linear edge[3];
-    alignas(64) float sure[3][fan_out];
+    alignas(32) float sure[fan_out];
     Linear key;
-    alignas(64) float key_error[fan_out];
+    alignas(32) float key_error[fan_out];
     /// A bit each: those that some ray may hit, not behind all that was met; and those that may face either way.
     std::uint32_t left = 0, unoriented = 0;
 };
 
-/// The same number in doubles, while it is being found.
+/// The same number in vectors, while it is being found.
 struct Line {
-    Doubles value, right, up;
+    FanOfFloats value, right, up;
 
     /// The most that it differs from its value.
-    HWY_ATTR Doubles spread() const { return half_tile * (abs(right) + abs(up)); }
-    HWY_ATTR Doubles least() const { return value - spread(); }
-    HWY_ATTR Doubles most() const { return value + spread(); }
-    HWY_ATTR Doubles size() const { return abs(value) + spread(); }
+    HWY_ATTR FanOfFloats spread() const { return static_cast<float>(half_tile) * (abs(right) + abs(up)); }
+    HWY_ATTR FanOfFloats least() const { return value - spread(); }
+    HWY_ATTR FanOfFloats most() const { return value + spread(); }
+    HWY_ATTR FanOfFloats size() const { return abs(value) + spread(); }
 
     HWY_ATTR void store(std::size_t at, Linear& to) const {
-        store_as_floats(value, to.value + at);
-        store_as_floats(right, to.right + at);
-        store_as_floats(up, to.up + at);
+        value.store(to.value + at);
+        right.store(to.right + at);
+        up.store(to.up + at);
     }
 
     friend HWY_ATTR Line operator+(const Line& a, const Line& b) {
         return {a.value + b.value, a.right + b.right, a.up + b.up};
     }
-    friend HWY_ATTR Line operator*(const Doubles& factor, const Line& line) {
+    friend HWY_ATTR Line operator*(const FanOfFloats& factor, const Line& line) {
         return {factor * line.value, factor * line.right, factor * line.up};
     }
 };
 
-/// The tile's rays as they are held against triangles: the middle one, and the steps to its neighbours.
+/// Three vectors that make one that is linear within the tile.
+template <class Vector>
+struct LinearVector {
+    Vector value, right, up;
+};
+
+HWY_INLINE HWY_ATTR Line dot(const LinearVector<FanOfVectors>& v, const FanOfVectors& by) {
+    return {dot(v.value, by), dot(v.right, by), dot(v.up, by)};
+}
+
+/// A bound on the sum of the coordinates' sizes, anywhere in the tile.
+inline double most_of(const LinearVector<glassbox::Vec3<double>>& v) {
+    const auto size = [](const glassbox::Vec3<double>& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); };
+    return size(v.value) + half_tile * (size(v.right) + size(v.up));
+}
+
+HWY_INLINE HWY_ATTR FanOfVectors in_floats(const glassbox::Vec3<double>& a) {
+    return {FanOfFloats(static_cast<float>(a.x)), FanOfFloats(static_cast<float>(a.y)),
+            FanOfFloats(static_cast<float>(a.z))};
+}
+HWY_INLINE HWY_ATTR LinearVector<FanOfVectors> in_floats(const LinearVector<glassbox::Vec3<double>>& v) {
+    return {in_floats(v.value), in_floats(v.right), in_floats(v.up)};
+}
+
+/// The tile's rays as they are held against a block: in its units, and directions about 1 long.
 struct TileRays {
     bool pinhole;
-    Vec3<Doubles> P, D, right, up;
-    double key_scale;
-    /// The most that doubles are off, for a block's triangles: a side product, E, and the determinant |A B C|, F.
-    double E, F;
+    LinearVector<glassbox::Vec3<double>> D;      ///< their directions
+    LinearVector<glassbox::Vec3<double>> p;      ///< the block's origin as seen from their starts
+    LinearVector<glassbox::Vec3<double>> p_x_D;  ///< p × D
+    double key_factor;                           ///< of n/d: see key_quotient
+    /// How far the rays may be off, summed over the axes: their directions in a pinhole's view, else their starts.
+    double direction_error, start_error;
 };
 
-/// The errors' bounds of one triangle are made larger by 2⁻¹⁰ for their own rounding, and by 2⁻¹¹⁰ for underflow.
-constexpr double larger = 1 + 0x1p-10, tiny = 0x1p-110, float_u = 0x1p-24;
-
-/// `m` is the largest coordinate of the block's vertices as seen from the rays: E and F are as Grid has them.
-HWY_INLINE HWY_ATTR TileRays tile_rays(const Grid& grid, const glassbox::Ray<double>& middle, double m) {
-    const double scale = grid.pinhole ? grid.direction_scale : 1;
-    return {grid.pinhole,
-            broadcast(middle.P),
-            broadcast(grid.direction_scale * middle.D),
-            broadcast(scale * grid.right),
-            broadcast(scale * grid.up),
-            grid.key_scale,
-            m * (m * grid.side1 + grid.side2),
-            m * m * (m * grid.volume1 + grid.volume2)};
+HWY_INLINE HWY_ATTR TileRays tile_rays(const Grid& grid, const glassbox::Ray<double>& middle, const Block& block) {
+    const auto unit = static_cast<double>(block.unit), per_unit = static_cast<double>(block.per_unit);
+    const glassbox::Vec3<double> origin{block.origin[0], block.origin[1], block.origin[2]};
+    const glassbox::Vec3<double> p = per_unit * (origin - middle.P), D = grid.direction_scale * middle.D;
+    if (grid.pinhole) {
+        const glassbox::Vec3<double> right = grid.direction_scale * grid.right, up = grid.direction_scale * grid.up;
+        return {true,
+                {D, right, up},
+                {p, {}, {}},
+                {cross(p, D), cross(p, right), cross(p, up)},
+                grid.key_of_t / grid.direction_scale * per_unit,
+                grid.direction_scale * grid.ray_error,
+                0};
+    }
+    const glassbox::Vec3<double> right = -per_unit * grid.right, up = -per_unit * grid.up;
+    return {false,
+            {D, {}, {}},
+            {p, right, up},
+            {cross(p, D), cross(right, D), cross(up, D)},
+            grid.key_of_t * grid.direction_scale * unit,
+            0,
+            per_unit * grid.ray_error};
 }
 
-/// Vertices as seen from the middle ray's start, and the moments of the edges from each to the next: a = C × B of that
-/// from B to C, and so on.
-struct SeenTriangles {
-    Vec3<Doubles> A, B, C, a, b, c;
+/// The same rays in floats.
+struct RaysInFloats {
+    LinearVector<FanOfVectors> D, p, p_x_D;
+
+    HWY_ATTR explicit RaysInFloats(const TileRays& rays)
+        : D(in_floats(rays.D)), p(in_floats(rays.p)), p_x_D(in_floats(rays.p_x_D)) {}
+
+    /// The side products of an edge that starts at A.
+    HWY_INLINE HWY_ATTR Line side(const FanOfVectors& A, const FanOfVectors& edge, bool pinhole) const {
+        const FanOfFloats value = dot(edge, p_x_D.value + cross(A, D.value));
+        if (!pinhole) return {value, dot(edge, p_x_D.right), dot(edge, p_x_D.up)};
+        return {value, dot(edge, p_x_D.right + cross(A, D.right)), dot(edge, p_x_D.up + cross(A, D.up))};
+    }
 };
 
-/// The side products of an edge, D·moment: see Grid.
-HWY_INLINE HWY_ATTR Line edge_line(const TileRays& rays, const Vec3<Doubles>& moment, const Vec3<Doubles>& from,
-                                   const Vec3<Doubles>& to) {
-    if (rays.pinhole) return {dot(rays.D, moment), dot(rays.right, moment), dot(rays.up, moment)};
-    const Vec3<Doubles> turned = cross(to - from, rays.D);
-    return {dot(rays.D, moment), dot(rays.right, turned), dot(rays.up, turned)};
-}
+/// A bound that depends on how long a triangle's edges are: at most g along each axis.
+struct ErrorBound {
+    float fixed, by_g, by_g2;
+
+    HWY_ATTR FanOfFloats operator()(const FanOfFloats& g) const { return g * (g * by_g2 + by_g) + fixed; }
+};
+
+/// The errors of a block's triangles, anywhere in the tile, with u = 2⁻²⁴. Corners are at most 1 along an axis, and off
+/// by u; edges e are off by (2 + g)u. |D|, |p| and |w| are the sums of the sizes of D's coordinates, of p's, and of
+/// those of w = p × D, which in doubles is off by 6·2⁻⁵³|p||D| along each axis.
+/// - A side product is e·w_A, where w_A = w + A × D for the corner A that the edge starts at. That is |w| + 2|D| at
+///   most, summed over the axes, and off by u(2|w| + 5|D|) along each. With e's error, 3u of the sum for the dot
+///   product, and 8u for what a ray makes of it: together u(|w|(2 + 14g) + |D|(4 + 39g)). If the ray's direction is
+///   off by ε it changes by 2g(|p| + 1)ε; if its start is, by 2g|D|ε.
+/// - N, the cross product of two edges, is at most 2g² along an axis, and off by 8ug(1 + g). The sum of the three side
+///   products is D·N, off by u|D|(8g + 16g²); the determinant |A B C| is (p + A)·N, off by u(|p| + 3)(8g + 20g²). If
+///   the ray is off by ε they change by 2g²ε.
+/// All of them are made a little larger for their own rounding, and by 2⁻¹¹⁰ for underflow.
+struct TileErrors {
+    ErrorBound side, sum, volume;
+
+    explicit TileErrors(const TileRays& rays) {
+        constexpr double u = 0x1p-24;
+        const double D = most_of(rays.D), p = most_of(rays.p), w = most_of(rays.p_x_D);
+        const double by_direction = rays.direction_error, by_start = rays.start_error;
+        side = bound(u * (2 * w + 4 * D),
+                     u * (14 * w + 39 * D) + 36 * 0x1p-53 * p * D + 2 * (p + 1) * by_direction + 2 * D * by_start, 0);
+        sum = bound(0, 8 * u * D, 16 * u * D + 2 * by_direction);
+        volume = bound(0, 8 * u * (p + 3), 20 * u * (p + 3) + 2 * by_start);
+    }
+
+private:
+    static ErrorBound bound(double fixed, double by_g, double by_g2) {
+        constexpr double larger = 1 + 0x1p-10, tiny = 0x1p-110;
+        return {static_cast<float>(fixed * larger + tiny), static_cast<float>(by_g * larger),
+                static_cast<float>(by_g2 * larger)};
+    }
+};
 
 /// The key of what the rays meet in the triangles' planes: n/d, each number with its error.
 struct KeyQuotient {
     Line n;
-    double n_error;
-    Doubles d;
-    double d_error;
+    FanOfFloats n_error;
+    FanOfFloats d;
+    FanOfFloats d_error;
 };
 
-/// t = V/sum, where V = |A B C| is off by F and the sum of the three side products by 4E. Its key is 1/t or −t.
-HWY_INLINE HWY_ATTR KeyQuotient key_quotient(const TileRays& rays, const SeenTriangles& seen, const Line (&edges)[3]) {
-    const double scale = rays.key_scale;
-    const Doubles V = dot(seen.A, seen.a);
-    const Line sum = edges[0] + edges[1] + edges[2];
-    if (rays.pinhole) return {scale * sum, 4 * rays.E * scale, V, rays.F * larger};
-    const Vec3<Doubles> all = seen.a + seen.b + seen.c;
-    return {{scale * -V, scale * dot(rays.right, all), scale * dot(rays.up, all)},
-            rays.F * scale,
-            sum.value,
-            4 * rays.E * larger};
+/// t = V/sum, where V = |A B C| and `sum` is that of the three side products. Its key is 1/t or −t.
+HWY_INLINE HWY_ATTR KeyQuotient key_quotient(const TileRays& rays, const RaysInFloats& seen, const FanOfVectors& A,
+                                             const FanOfVectors& N, const FanOfFloats& g, const TileErrors& errors) {
+    const FanOfFloats factor = static_cast<float>(rays.key_factor);
+    const FanOfFloats V = dot(seen.p.value + A, N), V_error = errors.volume(g);
+    if (rays.pinhole) return {factor * dot(seen.D, N), factor * errors.sum(g), V, V_error};
+    const Line minus_V = Line{V, dot(seen.p.right, N), dot(seen.p.up, N)};
+    return {-factor * minus_V, factor * V_error, dot(seen.D.value, N), errors.sum(g)};
 }
 
 struct Key {
     Line line;
-    Doubles error;
-    Mask<Doubles::Tag> oriented;  ///< whether the sign of d is sure, and so which way the triangle faces
+    FanOfFloats error;
+    Mask<FanOfFloats::Tag> oriented;  ///< whether the sign of d is sure, and so which way the triangle faces
 };
 
-/// n/d with errors N and M < 2⁻¹²|d| is off by (N + |n/d| M)/(|d| − M) at most, and 12 roundings in floats come to it.
+/// n/d with errors N and M < |d|/4 is off by (N + |n/d| M)/(|d| − M) at most, and 12 roundings come to it.
 HWY_INLINE HWY_ATTR Key key_line(const KeyQuotient& quotient) {
+    constexpr float u = 0x1p-24f, larger = 1.34f, tiny = 0x1p-110f;
     const auto& [n, N, d, M] = quotient;
-    const Doubles inverse = 1 / d, doubt = abs(inverse) * M;
+    const FanOfFloats inverse = 1.0f / d, doubt = abs(inverse) * M;
     const Line key = inverse * n;
-    const Doubles error = (abs(inverse) * N + key.size() * (doubt + 12 * float_u)) * larger + tiny;
-    return {key, error, doubt < 0x1p-12};
-}
-
-/// A side product is off by E in doubles; in floats it is rounded 8 times at most, relatively to its size.
-HWY_INLINE HWY_ATTR Doubles edge_error(const TileRays& rays, const Line& edge) {
-    return (rays.E + 8 * float_u * edge.size()) * larger + tiny;
+    const FanOfFloats error = (abs(inverse) * N + key.size() * (doubt + 12 * u)) * larger + tiny;
+    return {key, error, doubt < 0.25f};
 }
 
 /// What the rays need to know of the triangles of a block. Whatever begins behind `least_key` counts as missed.
@@ -125,29 +197,33 @@ HWY_INLINE HWY_ATTR Doubles edge_error(const TileRays& rays, const Line& edge) {
 /// Where the sign of the key's denominator is sure, the side products must have it, too. Where it is not, they may have
 /// either, and what is possible is not told: such triangles are seen edge-on, or from their own plane.
 HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, float least_key) {
+    const TileErrors errors(rays);
+    const RaysInFloats seen(rays);
     Triangles result;
-    for (std::size_t at = 0; at < fan_out; at += Doubles::count()) {
-        const Vec3<Doubles> A = load(block.A, at) - rays.P, B = load(block.B, at) - rays.P,
-                            C = load(block.C, at) - rays.P;
-        const SeenTriangles seen{A, B, C, cross(C, B), cross(A, C), cross(B, A)};
-        const Line edges[3] = {edge_line(rays, seen.a, B, C), edge_line(rays, seen.b, C, A),
-                               edge_line(rays, seen.c, A, B)};
-        const KeyQuotient quotient = key_quotient(rays, seen, edges);
+    for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
+        const auto corner = [&](const float(&of)[3][fan_out]) HWY_ATTR -> FanOfVectors {
+            return {FanOfFloats::load(of[0] + at), FanOfFloats::load(of[1] + at), FanOfFloats::load(of[2] + at)};
+        };
+        const FanOfVectors A = corner(block.A), B = corner(block.B), C = corner(block.C);
+        const FanOfVectors a = C - B, b = A - C, c = B - A;  // the edges
+        const FanOfFloats g = max(largest(b), largest(c));
+        const KeyQuotient quotient = key_quotient(rays, seen, A, cross(c, b), g, errors);
         const Key key = key_line(quotient);
+        const FanOfFloats sign = copysign(1.0f, quotient.d), error = errors.side(g);
+        const Line edges[3] = {seen.side(B, a, rays.pinhole), seen.side(C, b, rays.pinhole),
+                               seen.side(A, c, rays.pinhole)};
 
-        auto left = key.line.most() + key.error >= static_cast<double>(least_key);
-        if (!rays.pinhole) left = left & (key.line.least() - key.error < 0.0);
-        const Doubles sign = copysign(1.0, quotient.d);
+        auto left = key.line.most() + key.error >= least_key;
+        if (!rays.pinhole) left = left & (key.line.least() - key.error < 0.0f);
         for (int k = 0; k < 3; ++k) {
-            const Doubles error = edge_error(rays, edges[k]);
             Line edge = sign * edges[k];
             edge.value = edge.value + error;
-            left = left & (edge.most() >= 0.0);
+            left = left & (edge.most() >= 0.0f);
             edge.store(at, result.edge[k]);
-            store_as_floats((error + error) * larger, result.sure[k] + at);
         }
+        (error * (2 + 0x1p-20f)).store(result.sure + at);
         key.line.store(at, result.key);
-        store_as_floats(key.error, result.key_error + at);
+        key.error.store(result.key_error + at);
         result.unoriented |= bits_of(!key.oriented) << at;
         result.left |= bits_of(left) << at;
     }
@@ -165,9 +241,8 @@ HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, f
 
 /// Looks at a triangle from its other side: s + error becomes −s + error.
 inline void turn_over(Triangles& triangles, std::size_t at) {
-    for (int k = 0; k < 3; ++k) {
-        Linear& edge = triangles.edge[k];
-        edge.value[at] = triangles.sure[k][at] - edge.value[at];
+    for (Linear& edge : triangles.edge) {
+        edge.value[at] = triangles.sure[at] - edge.value[at];
         edge.right[at] = -edge.right[at];
         edge.up[at] = -edge.up[at];
     }

@@ -58,6 +58,14 @@ public:
         return pop().child;
     }
 
+    /// The same for one or more in whatever order, entries not told.
+    std::uint32_t push_all_but_one(const Node& node, std::uint32_t children) {
+        const auto one = static_cast<std::uint32_t>(__builtin_ctz(children));
+        for (children &= children - 1; children != 0; children &= children - 1)
+            visits_[depth_++] = {node.child[__builtin_ctz(children)], 0};
+        return node.child[one];
+    }
+
 private:
     /// A visit as a whole number that is larger the later the child is entered: floats ≥ 0 are ordered as their bits.
     using Ordered = std::uint64_t;

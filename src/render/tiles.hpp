@@ -37,7 +37,7 @@ void trace_tiles(const engine::Engine& engine, const View& view, int width, int 
                 for (int y = y0; y < y1; ++y)
                     for (int x = x0; x < x1; ++x) {
                         const int at = engine::place_in_tile(x - x0, height - 1 - y - bottom);
-                        each(x, y, tile.surface[at], rays ? engine::given_t_of_key(*rays, tile.key_low[at]) : 0);
+                        each(x, y, tile.surface[at], rays ? engine::given_t_of_key(*rays, tile.key(at)) : 0);
                     }
             }
         if (job.done) *job.done += static_cast<std::int64_t>(rows.size() * columns.size());

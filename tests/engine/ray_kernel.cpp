@@ -40,9 +40,9 @@ bool is_below(const Exact& t, double bound) { return std::isfinite(bound) && com
 /// Each candidate that is sure is met, none of them before its `low`, and a sure one by `high`; a surface that is no
 /// candidate is not met before that.
 void check_first(Counts& counts, const Few& few, const engine::Engine& engine, const Ray<double>& ray) {
-    const auto boxes = engine::box_ray(ray, engine);
-    if (!boxes) return;
-    const engine::Candidates found = engine::first_candidates(engine, *boxes);
+    engine::BoxRay boxes;
+    const engine::Candidates found = engine::first_candidates(engine, ray, boxes);
+    if (found.any_may_be) return;
     ++counts.rays;
     counts.told += found.is_told();
     bool one_by_high = !std::isfinite(found.high);
@@ -51,7 +51,7 @@ void check_first(Counts& counts, const Few& few, const engine::Engine& engine, c
         const auto* const candidate =
             std::find_if(found.list, end, [&](const engine::Candidate& one) { return one.surface == surface; });
         const std::optional<TrueT> crossing = few.crossing(ray, surface);
-        const std::optional<Exact> t = crossing ? std::optional(own_t(*boxes, *crossing)) : std::nullopt;
+        const std::optional<Exact> t = crossing ? std::optional(own_t(boxes, *crossing)) : std::nullopt;
         counts.hits += t.has_value();
         if (candidate == end) {
             counts.wrong += t && !found.too_many && !is_above(*t, found.high);
@@ -66,9 +66,9 @@ void check_first(Counts& counts, const Few& few, const engine::Engine& engine, c
 
 /// A candidate that stands alone and is sure is met; where there is none, nothing is.
 void check_any(Counts& counts, const Few& few, const engine::Engine& engine, const Ray<double>& ray) {
-    const auto boxes = engine::box_ray(ray, engine);
-    if (!boxes) return;
-    const engine::Candidates found = engine::any_candidates(engine, *boxes);
+    engine::BoxRay boxes;
+    const engine::Candidates found = engine::any_candidates(engine, ray, boxes);
+    if (found.any_may_be) return;
     if (!found.is_told()) return;
     if (found.count == 1) counts.wrong += !few.crossing(ray, found.list[0].surface);
     else

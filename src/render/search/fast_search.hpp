@@ -51,16 +51,18 @@ public:
     /// `ray` must be valid.
     template <class Probe>
     std::optional<ProvenHit> trace_proven(const Ray<double>& ray, Probe& probe) const {
+        if constexpr (OnlyFirstHit<Probe> && !HearsBoxes<Probe>) {
+            engine::BoxRay boxes;
+            const engine::Candidates found = engine::first_candidates(engine(), ray, boxes);
+            if (found.is_told() && engine().loose().empty()) return proven(ray, boxes, found, probe);
+            if (!found.too_many && !found.any_may_be)
+                return Traversal<Probe>{*this, ray, probe, &boxes, {}}.first_of(found);
+        }
         const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
         Traversal<Probe> way{*this, ray, probe, boxes ? &*boxes : nullptr, {}};
         if (!boxes) {
             for (std::size_t i = 0; i < engine().size(); ++i) way.test(i);
             return way.best;
-        }
-        if constexpr (OnlyFirstHit<Probe> && !HearsBoxes<Probe>) {
-            const engine::Candidates found = engine::first_candidates(engine(), *boxes);
-            if (found.is_told() && engine().loose().empty()) return proven(ray, *boxes, found, probe);
-            if (!found.too_many) return way.first_of(found);
         }
         for (const std::uint32_t surface : engine().loose()) way.test(surface);
         const engine::TraversalCounts counts = way.traverse();
@@ -71,14 +73,36 @@ public:
         return way.best;
     }
 
+    /// What a ray meets first, and between which t; nothing if it meets nothing.
+    struct Nearest {
+        std::size_t surface;
+        double low, high;
+    };
+
+    /// The same surface as trace_proven's, but t only as nearly as it takes to find it: to a ten millionth of a
+    /// triangle's size, mostly. `ray` must be valid.
+    std::optional<Nearest> nearest(const Ray<double>& ray) const {
+        engine::BoxRay boxes;
+        const engine::Candidates found = engine::first_candidates(engine(), ray, boxes);
+        if (found.is_told() && engine().loose().empty()) {
+            if (found.count == 0) return {};
+            return Nearest{found.list[0].surface, boxes.least_t(found.list[0].low), boxes.most_t(found.high)};
+        }
+        const Silent silent;
+        const std::optional<ProvenHit> hit = trace_proven(ray, silent);
+        if (!hit) return {};
+        return Nearest{hit->surface, hit->told_t, hit->told_t};
+    }
+
     /// Whether the ray meets anything. `ray` must be valid.
     bool occluded(const Ray<double>& ray) const {
-        const Silent silent;
-        const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
-        if (!boxes) return trace_proven(ray, silent).has_value();
         const auto is_met = [&](std::uint32_t surface) { return predicates_.is_met(ray, surface); };
-        const engine::Candidates found = engine::any_candidates(engine(), *boxes);
-        if (found.too_many) return trace_proven(ray, silent).has_value();
+        engine::BoxRay boxes;
+        const engine::Candidates found = engine::any_candidates(engine(), ray, boxes);
+        if (found.too_many || found.any_may_be) {
+            const Silent silent;
+            return trace_proven(ray, silent).has_value();
+        }
         if (std::any_of(found.list, found.list + found.count,
                         [&](const engine::Candidate& one) { return one.sure || is_met(one.surface); }))
             return true;
@@ -164,8 +188,7 @@ private:
             }
             const engine::Block& block = all.blocks()[index];
             if constexpr (OnlyVerdicts<Probe>) {
-                for (std::uint32_t rest = engine::not_missed(block, boxes->ray(), boxes->start_error); rest != 0;
-                     rest &= rest - 1) {
+                for (std::uint32_t rest = engine::not_missed(block, *boxes); rest != 0; rest &= rest - 1) {
                     search.predicates_.consider(best, ray, block.surface[std::countr_zero(rest)], probe);
                     test_copies_of(block.surface[std::countr_zero(rest)]);
                 }
