@@ -89,6 +89,23 @@ std::vector<Vec3<double>> directions_around() {
     return directions;
 }
 
+/// Of many points those that reach farthest in some direction. They are all looked at once, in all directions.
+std::vector<Vec3<double>> farthest(const std::vector<Vec3<double>>& points) {
+    struct Farthest {
+        Vec3<double> direction, point;
+        double reach = -infinite;
+    };
+    std::vector<Farthest> all;
+    for (const Vec3<double>& direction : directions_around()) all.push_back({direction, {}});
+    for (const Vec3<double>& point : points)
+        for (Farthest& one : all)
+            if (const double reach = dot(point, one.direction); reach > one.reach) one.reach = reach, one.point = point;
+    std::vector<Vec3<double>> result;
+    for (const Farthest& one : all)
+        if (one.reach > -infinite) result.push_back(one.point);
+    return result;
+}
+
 /// Finds a ball around the picture and all surfaces within reach.
 void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const PictureInSpace& picture) {
     const Vec3<double> from = standpoint(picture);
@@ -116,19 +133,14 @@ void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const Pict
                 for (const double r : {-ball.radius, ball.radius}) points.push_back(pulled_in(ball.center + r * axis));
         }
     });
+    std::erase_if(points, [](const Vec3<double>& point) { return !is_finite(point); });
     Box box;
-    for (const Vec3<double>& point : points)
-        if (is_finite(point)) box.add(point);
+    for (const Vec3<double>& point : points) box.add(point);
     result.sight = {(box.least + box.greatest) / 2, 0};
     for (const Vec3<double>& point : points)
-        if (is_finite(point)) result.sight.radius = std::max(result.sight.radius, length(point - result.sight.center));
+        result.sight.radius = std::max(result.sight.radius, length(point - result.sight.center));
     if (!(result.sight.radius > 0)) result.sight.radius = 1;
-    // Of many points those that reach farthest in some direction.
-    for (const Vec3<double>& direction : directions_around()) {
-        const auto reach_of = [&](const Vec3<double>& p) { return is_finite(p) ? dot(p, direction) : -infinite; };
-        const auto nearer = [&](const Vec3<double>& a, const Vec3<double>& b) { return reach_of(a) < reach_of(b); };
-        result.outline.push_back(*std::max_element(points.begin(), points.end(), nearer));
-    }
+    result.outline = farthest(points);
 }
 
 /// Halves the longest side until none is longer than `longest`. Neighbours halve a common side alike, so they fit.
