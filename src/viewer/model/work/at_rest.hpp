@@ -14,7 +14,7 @@ namespace glassbox {
 template <class Work>
 void do_at_rest(const Run& run, const Work& work) {
     using Clock = std::chrono::steady_clock;
-    constexpr double quick = 0.005;  // seconds, less than a third of a frame
+    constexpr double quick = 0.01;  // seconds: less than a frame
     constexpr std::chrono::milliseconds a_moment{60};
     if (run.follows_view && !(run.pace.seconds(1) < quick)) {
         std::mutex mutex;
