@@ -162,6 +162,12 @@ void split(std::vector<SurfacesInSpace::Part>& parts, SurfacesInSpace::Part part
           longest, depth - 1);
 }
 
+double mean_side(const std::vector<Triangle<double>>& triangles) {
+    double sum = 0;
+    for (const auto& [A, B, C] : triangles) sum += length(B - A) + length(C - B) + length(A - C);
+    return sum / (3 * static_cast<double>(triangles.size()));
+}
+
 /// Tells whether an edge is new, whichever way it runs: of many triangles, an edge that two share is drawn once.
 class Edges {
 public:
@@ -399,9 +405,10 @@ SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t mos
     if (all.triangles.size() > most_triangles) {
         const std::vector<CoarserTriangle> coarse = coarser(all.triangles, most_triangles);
         result.coarser = coarse.size() >= std::min(sample, most_triangles) / 2;
-        if (result.coarser)
+        if (result.coarser) {
             for (const auto& [triangle, number] : coarse) add(triangle, number);
-        else step = every(all.triangles.size(), std::min(sample, most_triangles));
+            result.side = mean_side(result.shown.triangles);
+        } else step = every(all.triangles.size(), std::min(sample, most_triangles));
     }
     for (std::size_t i = 0; !result.coarser && i < all.triangles.size(); i += step) add(all.triangles[i], i);
     for (const std::size_t number : result.numbers) result.colors.push_back(colors[number]);
@@ -413,6 +420,11 @@ SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t mos
         }
     split_triangles(result);
     return result;
+}
+
+bool edges_are_seen(const SurfacesInSpace& surfaces, const Camera& camera) {
+    constexpr double close = 12;  // pixels
+    return !surfaces.coarser || surfaces.side * camera.focal / camera.distance >= close;
 }
 
 SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const SurfacesInSpace& surfaces, const Story* pinned,
