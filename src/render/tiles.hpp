@@ -5,6 +5,7 @@
 
 #include "engine/tile.hpp"
 #include "render/parallel.hpp"
+#include "render/too_fine.hpp"
 #include "render/view.hpp"
 
 namespace glassbox {
@@ -16,30 +17,43 @@ inline std::optional<engine::Grid> grid_for(const View& view, int width, int hei
     return engine::grid(std::get<Parallel<double>>(view), width, height, engine);
 }
 
+/// Calls `use(x, y)` with the first pixel of each square of the range.
+template <class Columns, class Rows, class Use>
+void for_each_square(const Columns& columns, const Rows& rows, int side, const Use& use) {
+    for (int y = rows.begin(); y < rows.end(); y += side)
+        for (int x = columns.begin(); x < columns.end(); x += side) use(x, y);
+}
+
 /// Finds the nearest hits of all pixels' rays, many at a time, and calls `each(x, y, surface, t)` once for every pixel,
 /// on the job's threads. `surface` is engine::no_surface where the ray meets none, and engine::not_told where the
-/// pixel's ray must be traced by itself. t is accurate to about five digits of the size of the scene, if doubles can
-/// distinguish neighbouring rays and t does not grow much within a tile. Throws Cancelled.
+/// pixel's ray must be traced by itself, or is better: see too_fine.hpp. t is accurate to about five digits of the size
+/// of the scene, if doubles can distinguish neighbouring rays and t does not grow much within a tile. Throws Cancelled.
 template <class Each>
 void trace_tiles(const engine::Engine& engine, const View& view, int width, int height, const Job& job,
                  const Each& each) {
-    constexpr int side = engine::tile_side;
+    constexpr int side = engine::tile_side, part_side = 2 * side;
     const std::optional<engine::Grid> rays = grid_for(view, width, height, engine);
     for_each_block(width, height, job, [&](const auto& columns, const auto& rows) {
-        engine::Tile tile;
-        std::fill(std::begin(tile.surface), std::end(tile.surface), engine::not_told);
-        for (int y0 = rows.begin(); y0 < rows.end(); y0 += side)
-            for (int x0 = columns.begin(); x0 < columns.end(); x0 += side) {
+        engine::Tile tile, untold;
+        std::fill(std::begin(untold.surface), std::end(untold.surface), engine::not_told);
+        for_each_square(columns, rows, part_side, [&](int part_x, int part_y) {
+            const tbb::blocked_range<int> part_columns(part_x, std::min(part_x + part_side, columns.end())),
+                part_rows(part_y, std::min(part_y + part_side, rows.end()));
+            const int middle_x = (part_x + part_columns.end()) / 2, middle_y = (part_y + part_rows.end()) / 2;
+            const bool together = rays && !meets_too_fine(engine, view, pixel_ray(view, middle_x, middle_y, height));
+            for_each_square(part_columns, part_rows, side, [&](int x0, int y0) {
                 throw_if_stopped(job);
                 const int bottom = height - y0 - side;  // the tile's lowest row, which may lie below the picture
-                if (rays) engine::trace_tile(engine, *rays, x0, bottom, tile);
-                const int y1 = std::min(y0 + side, rows.end()), x1 = std::min(x0 + side, columns.end());
+                if (together) engine::trace_tile(engine, *rays, x0, bottom, tile);
+                const engine::Tile& told = together ? tile : untold;
+                const int y1 = std::min(y0 + side, part_rows.end()), x1 = std::min(x0 + side, part_columns.end());
                 for (int y = y0; y < y1; ++y)
                     for (int x = x0; x < x1; ++x) {
                         const int at = engine::place_in_tile(x - x0, height - 1 - y - bottom);
-                        each(x, y, tile.surface[at], rays ? engine::given_t_of_key(*rays, tile.key(at)) : 0);
+                        each(x, y, told.surface[at], together ? engine::given_t_of_key(*rays, told.key(at)) : 0);
                     }
-            }
+            });
+        });
         if (job.done) *job.done += static_cast<std::int64_t>(rows.size() * columns.size());
     });
 }

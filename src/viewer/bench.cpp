@@ -50,33 +50,49 @@ void move_light(ViewerState& state) {
     state.setup.amend(setup);
 }
 
-/// What is seen while the view turns.
-struct Turning {
-    double pictures = 0;  ///< a second
-    double size = 0;      ///< their width, as a part of the whole picture's
-};
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Pins the pixel in the middle.
+ViewerState pinned(ViewerState state) {
+    pin(state, Pixel{state.scene->width / 2, state.scene->height / 2});
+    return state;
+}
+
 Turning turn_for_a_while(HiddenViewer& viewer) {
     constexpr double seconds = 3, a_frame = 1.0 / 60;
     viewer.settle();
-    int pictures = 0;
-    double sizes = 0;
+    Turning result;
+    std::vector<double> seen;  // when
+    const double before = processor_time();
     const auto start = Clock::now();
     for (int frames = 1; seconds_since(start) < seconds; ++frames) {
         viewer.state().setup.amend(turned(viewer.state().setup.now(), Axis::z, 1));
-        const std::uint64_t before = viewer.results().picture_serial;
+        const std::uint64_t known = viewer.results().picture_serial;
         viewer.frame();
-        if (viewer.results().picture_serial != before) ++pictures, sizes += 1.0 / viewer.results().picture.factor;
+        if (viewer.results().picture_serial != known) {
+            seen.push_back(seconds_since(start));
+            ++result.sizes[viewer.results().picture.factor];
+        }
         std::this_thread::sleep_until(start + std::chrono::duration<double>(frames * a_frame));
     }
-    return {pictures / seconds_since(start), pictures > 0 ? sizes / pictures : 0};
+    const auto count = static_cast<double>(seen.size());
+    result.pictures = count / seconds_since(start);
+    result.processor = (processor_time() - before) / count;
+    std::vector<double> between;
+    for (std::size_t i = 1; i < seen.size(); ++i) between.push_back(seen[i] - seen[i - 1]);
+    if (between.empty()) between.push_back(seconds);
+    result.median = median(between);
+    result.least = *std::min_element(between.begin(), between.end());
+    result.greatest = *std::max_element(between.begin(), between.end());
+    return result;
 }
 
 /// Processor time while only the background's threads are there to use any.
 double idle_use() {
     constexpr std::chrono::seconds watched{2};
-    const std::clock_t before = std::clock();
+    const double before = processor_time();
     std::this_thread::sleep_for(watched);
-    return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC / watched.count();
+    return (processor_time() - before) / watched.count();
 }
 
 /// A folder that is gone, with all that is in it, at the end of its life.
@@ -97,9 +113,8 @@ struct PassingFolder {
 
 Quickness quickness(ViewerState state, WindowSize size) {
     constexpr int frames = 120, turns = 7;
-    const Pixel first{state.scene->width / 2, state.scene->height / 2};
-    pin(state, first);
-    HiddenViewer viewer(std::move(state), size);
+    HiddenViewer viewer(pinned(std::move(state)), size);
+    const Pixel first = *viewer.state().pinned;
     viewer.settle();
 
     std::vector<double> drawn;
@@ -117,15 +132,19 @@ Quickness quickness(ViewerState state, WindowSize size) {
         pinned.push_back(time_until_new(viewer, &Results::story_serial, [&] { pin(viewer.state(), next); }));
         changed.push_back(time_until_new(viewer, &Results::picture_serial, [&] { move_light(viewer.state()); }));
     }
-    const Turning turning = turn_for_a_while(viewer);
+    const Turning turned = turn_for_a_while(viewer);
     viewer.settle();
     return {.frame = median(drawn),
             .slowest_frame = *std::max_element(drawn.begin(), drawn.end()),
             .pin_to_inspector = median(pinned),
             .slider_to_picture = median(changed),
-            .turning = turning.pictures,
-            .turning_size = turning.size,
+            .turning = turned,
             .idle = idle_use()};
+}
+
+Turning turning(ViewerState state, WindowSize size) {
+    HiddenViewer viewer(pinned(std::move(state)), size);
+    return turn_for_a_while(viewer);
 }
 
 std::vector<double> saving_to_picture(ViewerState state, WindowSize size, int edits) {

@@ -222,3 +222,46 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
+
+// A floor of squares, each cut into two triangles: left of x = 16 with sides of 1/2, right of it of 1. Straight from
+// above, by pixels of side 1, a triangle covers 1/8 of a pixel on the left, 1/2 on the right; a part of 16 × 16 pixels
+// is traced ray by ray for less than 0.2. The rays keep clear of all edges, which lie where x, y or x − y is a multiple
+// of 1/2.
+TEST_CASE("where triangles are much smaller than pixels, rays are left to be traced one by one") {
+    Scene scene;
+    scene.width = scene.height = 32;
+    const auto add = [&](double x, double y, double side) {
+        const Point a{x, y, 0}, b{x + side, y, 0}, c{x + side, y + side, 0}, d{x, y + side, 0};
+        scene.triangles.push_back({{a, b, c}, {}});
+        scene.triangles.push_back({{a, c, d}, {}});
+    };
+    for (int y = 0; y < 33; ++y)
+        for (int x = 0; x < 33; ++x)
+            if (x >= 16) add(x, y, 1);
+            else
+                for (const double right : {0.0, 0.5})
+                    for (const double up : {0.0, 0.5}) add(x + right, y + up, 0.5);
+    Scene parallel = scene, pinhole = scene;
+    parallel.view = ParallelView{{0.6, 0.73, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+    // From 16 above, twice as high as half of it is wide: 32 pixels on 32 units, the first's middle at (0.6, 0.73).
+    pinhole.view = PinholeView{{16.1, 16.23, 16}, {16.1, 16.23, 0}, {0, 1, 0}, 90};
+    for (const Scene& one : {parallel, pinhole}) {
+        const Counts counts = check("a floor", one);
+        CHECK(counts.pixels == 32 * 32);
+        CHECK(counts.told == 16 * 32);
+        CHECK(counts.hits == 16 * 32);
+    }
+}
+
+// D = (0, 0, −2) has length 2. A pixel of the plane is 3 · 0.5 = 1.5 large, at t = 4 of a pinhole's ray 4² times that.
+// A triangle of area 2 in the plane z = 0 is seen as it is, one in the plane x = z at 45°, from its side as nothing.
+TEST_CASE("how large pixels and surfaces look along a ray") {
+    const ViewingPlane<double> plane{{0, 0, 0}, {3, 0, 0}, {0, 0.5, 0}};
+    const Point D{0, 0, -2};
+    CHECK(pixel_area(Parallel<double>{plane, {0, 0, -1}}, D, 4) == 2 * 1.5);
+    CHECK(pixel_area(FromEye{plane, {}}, D, 4) == 2 * 16 * 1.5);
+    CHECK(seen_area(Triangle<double>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, D) == 2 * 2);
+    CHECK(seen_area(Triangle<double>{{0, 0, 0}, {2, 0, 2}, {0, 2, 0}}, D) == 2 * 2);
+    CHECK(seen_area(Triangle<double>{{0, 0, 0}, {0, 0, 2}, {0, 2, 0}}, D) == 0);
+    CHECK(seen_area(Sphere<double>{{1, 2, 3}, 0.5}, D) == doctest::Approx(2 * 3.14159265 * 0.25));
+}

@@ -344,6 +344,17 @@ TEST_CASE("a mesh of very many triangles is drawn coarser, and still covers its 
     }
     CHECK(covered > 0.9 * 40000);
     CHECK(covered < 1.01 * 40000);
+    // N right-angled triangles with legs l cover N l²/2, and the mean of their sides is l (2 + √2)/3.
+    const double leg = std::sqrt(2 * 40000.0 / static_cast<double>(surfaces.shown.triangles.size()));
+    CHECK(surfaces.side == doctest::Approx(leg * (2 + std::sqrt(2.0)) / 3).epsilon(0.1));
+    // From 10 away such a side covers side · focal/10 pixels: its edges are drawn from 12 on.
+    Camera from_10;
+    from_10.distance = 10;
+    from_10.focal = 121 / surfaces.side;
+    CHECK(edges_are_seen(surfaces, from_10));
+    from_10.focal = 119 / surfaces.side;
+    CHECK_FALSE(edges_are_seen(surfaces, from_10));
+    CHECK(edges_are_seen(SurfacesInSpace(), from_10));  // edges of the scene's own triangles
     // Which surface is seen there is not told: many stand behind one.
     const SpaceDrawing drawing = space_drawing(scene, setup_of(scene), surfaces, nullptr, nullptr);
     const Camera behind = camera({180, 0, 1}, drawing.sight, surfaces.upright, area);

@@ -89,6 +89,23 @@ std::vector<Vec3<double>> directions_around() {
     return directions;
 }
 
+/// Of many points those that reach farthest in some direction. They are all looked at once, in all directions.
+std::vector<Vec3<double>> farthest(const std::vector<Vec3<double>>& points) {
+    struct Farthest {
+        Vec3<double> direction, point;
+        double reach = -infinite;
+    };
+    std::vector<Farthest> all;
+    for (const Vec3<double>& direction : directions_around()) all.push_back({direction, {}});
+    for (const Vec3<double>& point : points)
+        for (Farthest& one : all)
+            if (const double reach = dot(point, one.direction); reach > one.reach) one.reach = reach, one.point = point;
+    std::vector<Vec3<double>> result;
+    for (const Farthest& one : all)
+        if (one.reach > -infinite) result.push_back(one.point);
+    return result;
+}
+
 /// Finds a ball around the picture and all surfaces within reach.
 void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const PictureInSpace& picture) {
     const Vec3<double> from = standpoint(picture);
@@ -116,19 +133,14 @@ void find_sight(SurfacesInSpace& result, const Surfaces<double>& all, const Pict
                 for (const double r : {-ball.radius, ball.radius}) points.push_back(pulled_in(ball.center + r * axis));
         }
     });
+    std::erase_if(points, [](const Vec3<double>& point) { return !is_finite(point); });
     Box box;
-    for (const Vec3<double>& point : points)
-        if (is_finite(point)) box.add(point);
+    for (const Vec3<double>& point : points) box.add(point);
     result.sight = {(box.least + box.greatest) / 2, 0};
     for (const Vec3<double>& point : points)
-        if (is_finite(point)) result.sight.radius = std::max(result.sight.radius, length(point - result.sight.center));
+        result.sight.radius = std::max(result.sight.radius, length(point - result.sight.center));
     if (!(result.sight.radius > 0)) result.sight.radius = 1;
-    // Of many points those that reach farthest in some direction.
-    for (const Vec3<double>& direction : directions_around()) {
-        const auto reach_of = [&](const Vec3<double>& p) { return is_finite(p) ? dot(p, direction) : -infinite; };
-        const auto nearer = [&](const Vec3<double>& a, const Vec3<double>& b) { return reach_of(a) < reach_of(b); };
-        result.outline.push_back(*std::max_element(points.begin(), points.end(), nearer));
-    }
+    result.outline = farthest(points);
 }
 
 /// Halves the longest side until none is longer than `longest`. Neighbours halve a common side alike, so they fit.
@@ -148,6 +160,12 @@ void split(std::vector<SurfacesInSpace::Part>& parts, SurfacesInSpace::Part part
     split(parts,
           {{middle, part.corners[second], part.corners[third]}, part.triangle, {edge[first], edge[second], false}},
           longest, depth - 1);
+}
+
+double mean_side(const std::vector<Triangle<double>>& triangles) {
+    double sum = 0;
+    for (const auto& [A, B, C] : triangles) sum += length(B - A) + length(C - B) + length(A - C);
+    return sum / (3 * static_cast<double>(triangles.size()));
 }
 
 /// Tells whether an edge is new, whichever way it runs: of many triangles, an edge that two share is drawn once.
@@ -387,9 +405,10 @@ SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t mos
     if (all.triangles.size() > most_triangles) {
         const std::vector<CoarserTriangle> coarse = coarser(all.triangles, most_triangles);
         result.coarser = coarse.size() >= std::min(sample, most_triangles) / 2;
-        if (result.coarser)
+        if (result.coarser) {
             for (const auto& [triangle, number] : coarse) add(triangle, number);
-        else step = every(all.triangles.size(), std::min(sample, most_triangles));
+            result.side = mean_side(result.shown.triangles);
+        } else step = every(all.triangles.size(), std::min(sample, most_triangles));
     }
     for (std::size_t i = 0; !result.coarser && i < all.triangles.size(); i += step) add(all.triangles[i], i);
     for (const std::size_t number : result.numbers) result.colors.push_back(colors[number]);
@@ -401,6 +420,11 @@ SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t mos
         }
     split_triangles(result);
     return result;
+}
+
+bool edges_are_seen(const SurfacesInSpace& surfaces, const Camera& camera) {
+    constexpr double close = 12;  // pixels
+    return !surfaces.coarser || surfaces.side * camera.focal / camera.distance >= close;
 }
 
 SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const SurfacesInSpace& surfaces, const Story* pinned,

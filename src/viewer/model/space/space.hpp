@@ -26,6 +26,7 @@ struct SurfacesInSpace {
     std::vector<std::array<Vec3<double>, 2>> boxes;  ///< least and greatest corner of what is drawn only in part
     std::size_t all_spheres = 0, all_triangles = 0;  ///< how many there are
     bool coarser = false;  ///< the triangles are fewer and larger than the scene's, their numbers those of one of many
+    double side = 0;       ///< the mean of a coarser triangle's sides
     std::size_t far = 0;   ///< how many lie beyond the ball of sight
 
     /// A part of a triangle, small enough to be sorted by the depth of its middle.
@@ -99,6 +100,10 @@ struct SpaceDrawing {
 /// coarser ones; where these would leave nothing of the shape, about `sample` of them.
 SurfacesInSpace surfaces_in_space(const Scene& scene, int stage, std::size_t most_spheres = 400,
                                   std::size_t most_triangles = 3000, std::size_t sample = 1000);
+
+/// Whether the edges of triangles are worth drawing: those of coarser ones are not the scene's, and where they lie
+/// close together they only tint the surface.
+bool edges_are_seen(const SurfacesInSpace& surfaces, const Camera& camera);
 
 SpaceDrawing space_drawing(const Scene& scene, const Setup& setup, const SurfacesInSpace& surfaces, const Story* pinned,
                            const Story* compared);

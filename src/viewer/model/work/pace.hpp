@@ -16,10 +16,15 @@ public:
 
     /// Infinity if it is not known.
     double seconds(int factor) const { return seconds_[index(factor)]; }
-    /// Limits the effect of a picture that was slow by chance.
+    /// Limits the effect of a picture that was slow by chance. What makes one size slower or quicker, as other work of
+    /// the machine, is expected to do so to finer ones: else one that was too slow once would not be tried again while
+    /// the view turns.
     void note(int factor, double seconds) {
-        double& known = seconds_[index(factor)];
-        known = std::min(seconds, 1.25 * known);
+        const std::size_t at = index(factor);
+        const double known = seconds_[at], now = std::min(std::max(seconds, 1e-9), 1.25 * known);
+        seconds_[at] = now;
+        if (known == std::numeric_limits<double>::infinity()) return;
+        for (std::size_t finer = 0; finer < at; ++finer) seconds_[finer] *= std::max(now / known, 0.8);
     }
 
     /// Returns the finest size that is known to take less than this; `otherwise` if none is.

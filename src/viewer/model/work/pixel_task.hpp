@@ -7,6 +7,7 @@
 
 #include "explain/explain.hpp"
 #include "viewer/model/state/command.hpp"
+#include "viewer/model/work/at_rest.hpp"
 #include "viewer/model/work/picture_request.hpp"
 
 namespace glassbox {
@@ -28,20 +29,26 @@ struct ExplainPixel {
         if (!pixel || !lies_on(*state.scene, *pixel)) return {};
         return Request{picture_request(state), *pixel, state.file};
     }
+    static bool follows_view(const Request& before, const Request& now) {
+        return before.seen.scene == now.seen.scene && before.pixel == now.pixel;
+    }
     static void perform(const Request& request, const Run& run, const auto& deliver) {
+        do_at_rest(run, [&] { tell(request, run, deliver); });
+    }
+    static void tell(const Request& request, const Run& run, const auto& deliver) {
         const PictureRequest& seen = request.seen;
         const Job job = background_job(seen, run);
         const Scene scene = applied(*seen.scene, seen.setup);
         const Options& options = seen.setup.options;
-        const auto tell = [&](Detail detail) {
+        const auto tell_in = [&](Detail detail) {
             Story story = explain(scene, options, request.pixel.x, request.pixel.y, detail, job);
             story.command = explain_command(words_of(request.file, *seen.scene, seen.setup), request.pixel);
             deliver(std::make_shared<const Story>(std::move(story)));
         };
         // How sure a plain scalar is takes a test of every surface: with so many, that is seen to come later.
         constexpr std::size_t many = 50'000;
-        if (!is_proven(options.scalar) && job.engine->size() > many) tell(Detail::judged);
-        tell(Detail::whole);
+        if (!is_proven(options.scalar) && job.engine->size() > many) tell_in(Detail::judged);
+        tell_in(Detail::whole);
     }
     static void tidy(const ViewerState& state, Results& results, bool) {
         if (state.*Pinned) return;

@@ -35,6 +35,7 @@ struct Run {
     Tools& tools;
     Pace& pace;  ///< of its earlier runs
     const std::stop_token& stop;
+    bool follows_view = false;  ///< the request is as before but for the view, its light, or how it is traced
 };
 
 /// A thread for one task, and what it was last asked for. A task is a struct without values:
@@ -42,6 +43,7 @@ struct Run {
 ///   Request, Result: types; requests can be compared
 ///   wanted(state): the request that the state makes, perhaps none
 ///   goes_on(before, now): whether what comes of the one request is still worth showing for the other; without it, not
+///   follows_view(before, now): see Run; without it, never
 ///   announce(tools): called as it is asked, before the thread knows; not needed
 ///   withdraw(tools): called as it is asked no more, and perhaps never performed; not needed
 ///   perform(request, run, deliver): in the thread; delivers results, each better than the one before
@@ -58,8 +60,9 @@ public:
         const bool is_new = wanted != asked_;
         if (is_new) {
             const bool goes_on = asked_ && wanted && may_go_on(*asked_, *wanted);
+            const bool follows = asked_ && wanted && follows_view(*asked_, *wanted);
             asked_ = std::move(wanted);
-            if (asked_) start(*asked_, goes_on);
+            if (asked_) start(*asked_, goes_on, follows);
             else cancel();
         }
         if constexpr (requires { &Task::tidy; }) Task::tidy(state, results, is_new);
@@ -81,10 +84,15 @@ private:
         else return false;
     }
 
-    void start(const Request& wanted, bool goes_on) {
+    static bool follows_view(const Request& before, const Request& now) {
+        if constexpr (requires { &Task::follows_view; }) return Task::follows_view(before, now);
+        else return false;
+    }
+
+    void start(const Request& wanted, bool goes_on, bool follows) {
         if constexpr (requires { &Task::announce; }) Task::announce(tools_);
-        auto work = [this, wanted](const std::stop_token& stop, const auto& deliver) {
-            Task::perform(wanted, Run{tools_, pace_, stop}, deliver);
+        auto work = [this, wanted, follows](const std::stop_token& stop, const auto& deliver) {
+            Task::perform(wanted, Run{tools_, pace_, stop, follows}, deliver);
         };
         latest_.ask(std::move(work), goes_on);
     }

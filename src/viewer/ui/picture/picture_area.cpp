@@ -287,9 +287,9 @@ void listen_to_mouse(const Canvas& canvas) {
         state.fit = Fit::none;
         state.view = moved(state.view, {io.MouseDelta.x, io.MouseDelta.y});
     }
-    // A click is a press that did not move.
-    const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
-    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged.x == 0 && dragged.y == 0)
+    // A click is a press that did not move, not even there and back.
+    const bool was_dragged = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= std::pow(io.MouseDragThreshold, 2.f);
+    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !was_dragged)
         if (const std::optional<Pixel> pixel = pointed_at(canvas)) {
             if (io.KeyShift) state.compared = pixel;
             else pin(state, pixel);

@@ -67,6 +67,7 @@ void paint_part(const SpaceCanvas& canvas, const SurfacesInSpace::Part& part, do
     const Vec3<double> facing = towards(eye(canvas.camera) - part.corners[0], n);
     const double light = is_finite(n) ? brightness(canvas, facing) : 1;
     canvas.list.AddTriangleFilled(at[0], at[1], at[2], shaded(canvas.surfaces.colors[color], light, 0.82));
+    if (edge_opacity == 0) return;
     // The edges of tiny triangles would only tint them, and there are very many.
     constexpr float tiny = 4;  // pixels
     const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});
@@ -325,7 +326,8 @@ std::optional<ImVec2> paint_arrow(const SpaceCanvas& canvas, const Vec3<double>&
 void paint_sorted(const SpaceCanvas& canvas) {
     // Anti-aliased edges would show as seams between the parts of a triangle.
     const ImDrawListFlags before = canvas.list.Flags;
-    const double edge_opacity = canvas.surfaces.shown.triangles.size() > 200 ? 0.18 : 0.5;
+    const bool has_edges = edges_are_seen(canvas.surfaces, canvas.camera);
+    const double edge_opacity = !has_edges ? 0 : canvas.surfaces.shown.triangles.size() > 200 ? 0.18 : 0.5;
     if (!canvas.frame.boxes.shown())
         for (const auto& box : canvas.surfaces.boxes) paint_box(canvas, box);
     const std::vector<EdgePiece> edges = edge_pieces(canvas);
