@@ -1,0 +1,137 @@
+#include "render/measure/deciding_triangles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace glassbox {
+
+namespace {
+
+double sum_of_sizes(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// Not inlined: of several numbers at once, g++ 12 takes the way to float and back for none at all.
+[[gnu::noinline]] double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
+Vec3<double> as_float(const Vec3<double>& v) { return {as_float(v.x), as_float(v.y), as_float(v.z)}; }
+
+/// A patch of rays as a view has them, which the scalar then rounds.
+class PatchOfView {
+public:
+    PatchOfView(Scalar scalar, const PixelBlock& pixels, int height)
+        : is_float_(scalar == Scalar::float_), pixels_(pixels), height_(height) {}
+
+    engine::RayPatch operator()(const FromEye& view) const {
+        engine::RayPatch patch = about_middle(view);
+        patch.D_right = to_the_right() * view.plane.right;
+        patch.D_up = upwards() * view.plane.up;
+        patch.D_error = error_in(view.plane);
+        // The start is known, and D's rounding is in the patch's.
+        if (is_float_) patch.P = as_float(patch.P);
+        return ordinary(patch);
+    }
+
+    engine::RayPatch operator()(const Parallel<double>& view) const {
+        engine::RayPatch patch = about_middle(view);
+        patch.P_right = to_the_right() * view.plane.right;
+        patch.P_up = upwards() * view.plane.up;
+        patch.P_error = error_in(view.plane);
+        if (is_float_) {
+            patch.P_error += 0x1p-23 * plane_size(view.plane);
+            patch.D = as_float(patch.D);
+        }
+        return ordinary(patch);
+    }
+
+private:
+    double to_the_right() const { return (pixels_.x1 - pixels_.x0 - 1) / 2.0; }
+    double upwards() const { return (pixels_.y1 - pixels_.y0 - 1) / 2.0; }
+
+    template <class OneView>
+    engine::RayPatch about_middle(const OneView& view) const {
+        const Ray<double> middle =
+            pixel_ray(view, (pixels_.x0 + pixels_.x1 - 1) / 2.0, height_ - 1 - (pixels_.y0 + pixels_.y1 - 1) / 2.0);
+        return {middle.P, middle.D};
+    }
+
+    /// No less than the sum of the terms that are rounded on the way to a ray of the patch.
+    double plane_size(const ViewingPlane<double>& plane) const {
+        return sum_of_sizes(plane.corner) + std::max(pixels_.x1, 1) * sum_of_sizes(plane.right) +
+               std::max({height_, pixels_.y1, 1}) * sum_of_sizes(plane.up);
+    }
+
+    /// A pixel's point of the plane is rounded four times, the middle's likewise, the steps from it once; what else the
+    /// bounds compute of P_right and P_up is off by 16 units of these at most. Below all that, the scalar may
+    /// underflow.
+    double error_in(const ViewingPlane<double>& plane) const {
+        return 32 * 0x1p-53 * plane_size(plane) + (is_float_ ? 0x1p-149 : 0x1p-1074);
+    }
+
+    /// With the scalar's own rounding; nothing is known where its numbers could overflow.
+    engine::RayPatch ordinary(engine::RayPatch patch) const {
+        const double longest = is_float_ ? 0x1p30 : 0x1p200;
+        patch.rounding = engine::side_rounding(is_float_ ? 0x1p-24 : 0x1p-53);
+        patch.underflow = is_float_ ? 0x1p-80 : 0x1p-900;
+        const bool is_ordinary =
+            sum_of_sizes(patch.D) + sum_of_sizes(patch.D_right) + sum_of_sizes(patch.D_up) + patch.D_error < longest &&
+            sum_of_sizes(patch.P) + sum_of_sizes(patch.P_right) + sum_of_sizes(patch.P_up) + patch.P_error < 0x1p250;
+        patch.farthest = !is_ordinary ? 0 : is_float_ ? 0x1p30 : 0x1p250;
+        return patch;
+    }
+
+    bool is_float_;
+    PixelBlock pixels_;
+    int height_;
+};
+
+}  // namespace
+
+/// One block's way down to its pixels.
+struct DecidingTriangles::Splitting {
+    const DecidingTriangles& all;
+    const View& view;
+    int height;
+    Take take;
+    std::array<std::vector<engine::Block>, 34> kept = {};  ///< by depth: a picture's side has less than 2³² pixels
+    std::vector<double> at_least = {};
+    std::vector<std::uint32_t> numbers = {};
+
+    void split(const PixelBlock& pixels, const std::vector<engine::Block>& triangles, std::size_t depth) {
+        std::vector<engine::Block>& left = kept[depth];
+        const double limit = least_of_all(std::visit(PatchOfView(all.scalar_, pixels, height), view), triangles);
+        engine::keep_up_to(limit, triangles, at_least, left);
+        const auto [x0, x1, y0, y1] = pixels;
+        if (x1 - x0 == 1 && y1 - y0 == 1) return give(x0, y0, left);
+        const int x = x0 + (x1 - x0 + 1) / 2, y = y0 + (y1 - y0 + 1) / 2;
+        for (const auto& [from_y, to_y] : {std::pair(y0, y), std::pair(y, y1)})
+            for (const auto& [from_x, to_x] : {std::pair(x0, x), std::pair(x, x1)})
+                if (from_x < to_x && from_y < to_y) split({from_x, to_x, from_y, to_y}, left, depth + 1);
+    }
+
+    /// What matters has a number up to that. log10, which `margin` is told in, may round two numbers that hardly differ
+    /// in the wrong order: of certainties those that are nearly the least matter, too. So do all that decide nothing,
+    /// zeros among them: their certainty is less than the patch's rounding, and so than the limit.
+    double least_of_all(const engine::RayPatch& patch, std::span<const engine::Block> triangles) {
+        if (all.asked_ == OfSides::least) return engine::least_sides(patch, triangles, at_least);
+        return engine::least_certainties(patch, triangles, at_least) * (1 + 0x1p-7);
+    }
+
+    void give(int x, int y, std::span<const engine::Block> triangles) {
+        numbers.clear();
+        for (const engine::Block& block : triangles)
+            numbers.insert(numbers.end(), block.surface, block.surface + block.count);
+        take(x, y, numbers);
+    }
+};
+
+DecidingTriangles::DecidingTriangles(std::span<const Triangle<double>> triangles, Scalar scalar, OfSides asked)
+    : triangles_(engine::in_blocks(triangles)), scalar_(scalar), asked_(asked) {}
+
+void DecidingTriangles::for_each_pixel(const View& view, int height, const PixelBlock& pixels, Take take) const {
+    Splitting splitting{*this, view, height, take};
+    if (asked_ != OfSides::all) return splitting.split(pixels, triangles_, 0);
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+        for (int x = pixels.x0; x < pixels.x1; ++x) splitting.give(x, y, triangles_);
+}
+
+}  // namespace glassbox
