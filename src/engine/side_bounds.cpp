@@ -26,13 +26,36 @@ struct Sizes {
     friend HWY_ATTR Sizes operator*(const Sizes& a, const Sizes& b) { return {a.size * b.size}; }
 };
 
+/// The sizes of middle + x right + y up along each axis, −1 ≤ x, y ≤ 1, if they are off by `error`.
+struct SizesInPatch {
+    glassbox::Vec3<double> least, most;
+
+    SizesInPatch(const glassbox::Vec3<double>& middle, const glassbox::Vec3<double>& right,
+                 const glassbox::Vec3<double>& up, double error) {
+        const auto along = [&](double glassbox::Vec3<double>::*axis) {
+            const double size = std::abs(middle.*axis);
+            const double about = (std::abs(right.*axis) + std::abs(up.*axis) + error) * (1 + 0x1p-40);
+            least.*axis = std::max(size * (1 - 0x1p-50) - about, 0.0);
+            most.*axis = size + about;
+        };
+        along(&glassbox::Vec3<double>::x);
+        along(&glassbox::Vec3<double>::y);
+        along(&glassbox::Vec3<double>::z);
+    }
+};
+
+inline HWY_ATTR Vec3<Sizes> broadcast_sizes(const glassbox::Vec3<double>& v) {
+    return {{Doubles(v.x)}, {Doubles(v.y)}, {Doubles(v.z)}};
+}
+
 /// What the bounds of a patch ask of it again and again.
 struct Patch {
     bool starts_move, directions_move;
     Vec3<Doubles> P, D, P_right, P_up, D_right, D_up;
     Vec3<Sizes> least_D, most_D;
     Vec3<Doubles> moved;  ///< how far from P rays start, at most
-    Doubles rounding, by_D, by_P, by_P_error, underflow, farthest;
+    Doubles rounding, underflow, farthest;
+    Doubles error0, error1, error2;  ///< of a side product, times m⁰, m¹ and m²: see PatchSides
 
     explicit HWY_ATTR Patch(const RayPatch& from)
         : starts_move(!(from.P_right == glassbox::Vec3<double>{} && from.P_up == glassbox::Vec3<double>{})),
@@ -43,30 +66,18 @@ struct Patch {
           P_up(broadcast(from.P_up)),
           D_right(broadcast(from.D_right)),
           D_up(broadcast(from.D_up)) {
-        const auto reach = [](double right, double up, double error) {
-            return (std::abs(right) + std::abs(up) + error) * (1 + 0x1p-40);
-        };
-        const auto most = [&](double d, double right, double up) {
-            return Sizes{Doubles(std::abs(d) + reach(right, up, from.D_error))};
-        };
-        const auto least = [&](double d, double right, double up) {
-            return Sizes{Doubles(std::max(std::abs(d) * (1 - 0x1p-50) - reach(right, up, from.D_error), 0.0))};
-        };
-        most_D = {most(from.D.x, from.D_right.x, from.D_up.x), most(from.D.y, from.D_right.y, from.D_up.y),
-                  most(from.D.z, from.D_right.z, from.D_up.z)};
-        least_D = {least(from.D.x, from.D_right.x, from.D_up.x), least(from.D.y, from.D_right.y, from.D_up.y),
-                   least(from.D.z, from.D_right.z, from.D_up.z)};
-        const double P_error = from.P_error;
-        moved = {Doubles(reach(from.P_right.x, from.P_up.x, P_error)),
-                 Doubles(reach(from.P_right.y, from.P_up.y, P_error)),
-                 Doubles(reach(from.P_right.z, from.P_up.z, P_error))};
-        const double D_size = std::abs(from.D.x) + std::abs(from.D.y) + std::abs(from.D.z) + 3 * from.D_error;
-        rounding = Doubles(from.rounding);
-        by_D = Doubles(6 * from.D_error + 0x1p-100 * D_size);
-        by_P = Doubles(4 * P_error * D_size);
-        by_P_error = Doubles(2 * P_error * P_error * D_size + from.underflow * (1 + D_size));
-        underflow = Doubles(from.underflow);
-        farthest = Doubles(from.farthest);
+        const SizesInPatch direction(from.D, from.D_right, from.D_up, from.D_error);
+        const auto& [per_S, its_underflow, its_farthest, longest] = from.rounding;
+        least_D = broadcast_sizes(direction.least);
+        most_D = broadcast_sizes(direction.most);
+        moved = broadcast(SizesInPatch({}, from.P_right, from.P_up, from.P_error).most);
+        const double D_size = direction.most.x + direction.most.y + direction.most.z;
+        rounding = Doubles(per_S);
+        underflow = Doubles(its_underflow);
+        farthest = Doubles(D_size < longest && is_finite(from.P) ? its_farthest : 0);
+        error0 = Doubles(2 * from.P_error * from.P_error * D_size + its_underflow * (1 + D_size));
+        error1 = Doubles(4 * from.P_error * D_size);
+        error2 = Doubles(6 * from.D_error + 0x1p-100 * D_size);
     }
 };
 
@@ -124,7 +135,7 @@ struct PatchSides {
         const SeenCorner A(patch, block.A, at), B(patch, block.B, at), C(patch, block.C, at);
         const Doubles m = max(max(A.largest(), B.largest()), C.largest());
         return {PatchSide(patch, B, C), PatchSide(patch, C, A), PatchSide(patch, A, B), m < patch.farthest,
-                m * (m * patch.by_D + patch.by_P) + patch.by_P_error};
+                m * (m * patch.error2 + patch.error1) + patch.error0};
     }
 
     HWY_ATTR Doubles error_of(const Patch& patch, const PatchSide& s) const {

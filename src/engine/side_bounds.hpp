@@ -12,24 +12,35 @@
 
 namespace glassbox::engine {
 
+/// How exactly a scalar computes side products.
+struct SideRounding {
+    /// What one may be off, over the sum S of its terms' sizes, with what the bounds are off themselves. Each term is
+    /// rounded seven times, see filter::sides_error, and D perhaps once more. Here, in doubles, s is off by 7 units,
+    /// what it changes to the right and upwards by 6 each, and sums of the three by 4.
+    double per_S;
+    double underflow;          ///< underflow does not matter to a side product above (1 + |D|) times this
+    double farthest, longest;  ///< corners nearer than that, as seen from P, and shorter directions cannot overflow
+
+    static constexpr SideRounding with_unit(double unit, double underflow, double farthest, double longest) {
+        return {10 * unit + 32 * 0x1p-53, underflow, farthest, longest};
+    }
+};
+
+/// Of scalars that hold all doubles, too: nothing is computed here more exactly than in doubles.
+inline constexpr SideRounding rounding_of_doubles = SideRounding::with_unit(0x1p-53, 0x1p-900, 0x1p250, 0x1p200);
+inline constexpr SideRounding rounding_of_floats = SideRounding::with_unit(0x1p-24, 0x1p-80, 0x1p30, 0x1p30);
+
 /// The rays of a patch of a picture, and how exactly they lie where they should: each starts at P + x P_right + y P_up
 /// and runs along D + x D_right + y D_up, −1 ≤ x, y ≤ 1, but for errors. As in Grid, all start in one point, or all run
 /// one way: P_right and P_up are 0, or D_right and D_up.
 struct RayPatch {
     Vec3<double> P, D;
     Vec3<double> P_right = {}, P_up = {}, D_right = {}, D_up = {};
-    double P_error = 0, D_error = 0;  ///< along each axis; besides what `rounding` stands for
-    /// What a side product computed in the scalar in question may be off, over the sum S of its terms' sizes, with the
-    /// rounding of the bounds themselves: see side_rounding.
-    double rounding = 0;
-    double underflow = 0;  ///< underflow does not matter to a side product above (1 + |D|) times this
-    double farthest = 0;   ///< nothing is known of triangles with coordinates as large, as seen from P
+    /// Along each axis, with what the bounds round on the way to the patch's ends: 16 units of P, and 2 of D. That the
+    /// scalar rounds D's numbers is not in it, but for underflow.
+    double P_error = 0, D_error = 0;
+    SideRounding rounding = rounding_of_doubles;
 };
-
-/// RayPatch::rounding for a scalar that rounds by `unit` at most, such as 2⁻⁵³, where the directions of the rays are
-/// rounded to it, too: each term of a side product is rounded seven times, see filter::sides_error, and D once. Here in
-/// doubles s is off by 7 units, what it changes to the right and upwards by 6 each, and sums of the three by 4.
-constexpr double side_rounding(double unit) { return 10 * unit + 32 * 0x1p-53; }
 
 /// For the triangles of all blocks, in this order, fills in what their least side product, by size, is at least
 /// anywhere in the patch, as the scalar computes it; −∞ where nothing is known. Returns what it is at most, for the
@@ -37,7 +48,7 @@ constexpr double side_rounding(double unit) { return 10 * unit + 32 * 0x1p-53; }
 double least_sides(const RayPatch& patch, std::span<const Block> blocks, std::vector<double>& at_least);
 
 /// The same of a triangle's least certain deciding side product over S: of a hit, the least of the three; of a miss,
-/// the lesser of the greatest positive and the greatest negative one. The most is never less than `rounding`.
+/// the lesser of the greatest positive and the greatest negative one. The most is never less than `per_S`.
 double least_certainties(const RayPatch& patch, std::span<const Block> blocks, std::vector<double>& at_least);
 
 /// Triangles in blocks, in the order given; `surface` numbers them from 0.

@@ -26,9 +26,8 @@ public:
         patch.D_right = to_the_right() * view.plane.right;
         patch.D_up = upwards() * view.plane.up;
         patch.D_error = error_in(view.plane);
-        // The start is known, and D's rounding is in the patch's.
         if (is_float_) patch.P = as_float(patch.P);
-        return ordinary(patch);
+        return patch;
     }
 
     engine::RayPatch operator()(const Parallel<double>& view) const {
@@ -37,10 +36,10 @@ public:
         patch.P_up = upwards() * view.plane.up;
         patch.P_error = error_in(view.plane);
         if (is_float_) {
-            patch.P_error += 0x1p-23 * plane_size(view.plane);
+            patch.P_error += 0x1p-23 * terms_of(view.plane);
             patch.D = as_float(patch.D);
         }
-        return ordinary(patch);
+        return patch;
     }
 
 private:
@@ -51,32 +50,20 @@ private:
     engine::RayPatch about_middle(const OneView& view) const {
         const Ray<double> middle =
             pixel_ray(view, (pixels_.x0 + pixels_.x1 - 1) / 2.0, height_ - 1 - (pixels_.y0 + pixels_.y1 - 1) / 2.0);
-        return {middle.P, middle.D};
-    }
-
-    /// No less than the sum of the terms that are rounded on the way to a ray of the patch.
-    double plane_size(const ViewingPlane<double>& plane) const {
-        return sum_of_sizes(plane.corner) + std::max(pixels_.x1, 1) * sum_of_sizes(plane.right) +
-               std::max({height_, pixels_.y1, 1}) * sum_of_sizes(plane.up);
-    }
-
-    /// A pixel's point of the plane is rounded four times, the middle's likewise, the steps from it once; what else the
-    /// bounds compute of P_right and P_up is off by 16 units of these at most. Below all that, the scalar may
-    /// underflow.
-    double error_in(const ViewingPlane<double>& plane) const {
-        return 32 * 0x1p-53 * plane_size(plane) + (is_float_ ? 0x1p-149 : 0x1p-1074);
-    }
-
-    /// With the scalar's own rounding; nothing is known where its numbers could overflow.
-    engine::RayPatch ordinary(engine::RayPatch patch) const {
-        const double longest = is_float_ ? 0x1p30 : 0x1p200;
-        patch.rounding = engine::side_rounding(is_float_ ? 0x1p-24 : 0x1p-53);
-        patch.underflow = is_float_ ? 0x1p-80 : 0x1p-900;
-        const bool is_ordinary =
-            sum_of_sizes(patch.D) + sum_of_sizes(patch.D_right) + sum_of_sizes(patch.D_up) + patch.D_error < longest &&
-            sum_of_sizes(patch.P) + sum_of_sizes(patch.P_right) + sum_of_sizes(patch.P_up) + patch.P_error < 0x1p250;
-        patch.farthest = !is_ordinary ? 0 : is_float_ ? 0x1p30 : 0x1p250;
+        engine::RayPatch patch{middle.P, middle.D};
+        patch.rounding = is_float_ ? engine::rounding_of_floats : engine::rounding_of_doubles;
         return patch;
+    }
+
+    /// The sizes of the terms that a pixel's point of the plane is the sum of, together, are no more than that.
+    double terms_of(const ViewingPlane<double>& plane) const {
+        return sum_of_sizes(plane.corner) + pixels_.x1 * sum_of_sizes(plane.right) + height_ * sum_of_sizes(plane.up);
+    }
+
+    /// A pixel's point is rounded four times, the middle's likewise, and the steps from there once; the bounds' own
+    /// rounding takes 18 units of it at most. Below all that, the scalar may underflow.
+    double error_in(const ViewingPlane<double>& plane) const {
+        return 32 * 0x1p-53 * terms_of(plane) + (is_float_ ? 0x1p-149 : 0x1p-1074);
     }
 
     bool is_float_;
@@ -110,7 +97,7 @@ struct DecidingTriangles::Splitting {
 
     /// What matters has a number up to that. log10, which `margin` is told in, may round two numbers that hardly differ
     /// in the wrong order: of certainties those that are nearly the least matter, too. So do all that decide nothing,
-    /// zeros among them: their certainty is less than the patch's rounding, and so than the limit.
+    /// zeros among them: their certainty is less than what the scalar rounds, and so than the limit.
     double least_of_all(const engine::RayPatch& patch, std::span<const engine::Block> triangles) {
         if (all.asked_ == OfSides::least) return engine::least_sides(patch, triangles, at_least);
         return engine::least_certainties(patch, triangles, at_least) * (1 + 0x1p-7);
