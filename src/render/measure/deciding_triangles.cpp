@@ -5,15 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/as_float.hpp"
+
 namespace glassbox {
 
 namespace {
 
 double sum_of_sizes(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
-/// Not inlined: of several numbers at once, g++ 12 takes the way to float and back for none at all.
-[[gnu::noinline]] double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
-Vec3<double> as_float(const Vec3<double>& v) { return {as_float(v.x), as_float(v.y), as_float(v.z)}; }
 
 /// A patch of rays as a view has them, which the scalar then rounds.
 class PatchOfView {
