@@ -153,8 +153,9 @@ HWY_INLINE HWY_ATTR Between least_side(const Patch& patch, const PatchSides& sid
             select(sides.known, min(min(a.most, b.most), c.most), Doubles(infinity))};
 }
 
-/// The certainty of three numbers, l ≤ … ≤ h, is max(l, −h, min(−l, h)). Each of the three terms is bounded by bounds
-/// of s/S; where one of these has another sign than its number, so has its term than certainty, which is never below 0.
+/// The certainty of three numbers, l ≤ … ≤ h, is max(l, −h, min(−l, h)), and never below 0. To bound s/S from below, s
+/// is divided by the greatest S, which is right where it is positive; where it is negative, so is its term, and does
+/// not count. From above likewise, by the least S.
 HWY_INLINE HWY_ATTR Between least_certainty(const Patch& patch, const PatchSides& sides) {
     struct Ratio {
         Doubles least, least_of_negative, most, most_of_negative;

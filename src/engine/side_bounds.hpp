@@ -36,8 +36,8 @@ inline constexpr SideRounding rounding_of_floats = SideRounding::with_unit(0x1p-
 struct RayPatch {
     Vec3<double> P, D;
     Vec3<double> P_right = {}, P_up = {}, D_right = {}, D_up = {};
-    /// Along each axis, with what the bounds round on the way to the patch's ends: 16 units of P, and 2 of D. That the
-    /// scalar rounds D's numbers is not in it, but for underflow.
+    /// How far rays are off, along each axis, and besides: 16 units of P_right and P_up, and 2 of D, which the bounds
+    /// round. That the scalar rounds D's numbers is in `rounding`, but for underflow.
     double P_error = 0, D_error = 0;
     SideRounding rounding = rounding_of_doubles;
 };

@@ -95,7 +95,7 @@ struct DecidingTriangles::Splitting {
 
     /// What matters has a number up to that. log10, which `margin` is told in, may round two numbers that hardly differ
     /// in the wrong order: of certainties those that are nearly the least matter, too. So do all that decide nothing,
-    /// zeros among them: their certainty is less than what the scalar rounds, and so than the limit.
+    /// zeros among them: their certainty is below SideRounding::per_S, and the limit never is.
     double least_of_all(const engine::RayPatch& patch, std::span<const engine::Block> triangles) {
         if (all.asked_ == OfSides::least) return engine::least_sides(patch, triangles, at_least);
         return engine::least_certainties(patch, triangles, at_least) * (1 + 0x1p-7);
