@@ -4,6 +4,7 @@
 
 #include "bench/random.hpp"
 #include "engine/tile.hpp"
+#include "numerics/as_float.hpp"
 
 namespace glassbox {
 
@@ -34,8 +35,7 @@ FromEye view_in_floats(const Scene& scene) {
         return Vec3<double>{multiple(v.x), multiple(v.y), multiple(v.z)};
     };
     const auto seen = std::get<FromEye>(view(scene, {}));
-    return {{coarse(seen.plane.corner), coarse(seen.plane.right), coarse(seen.plane.up)},
-            convert<double>(convert<float>(seen.eye))};
+    return {{coarse(seen.plane.corner), coarse(seen.plane.right), coarse(seen.plane.up)}, as_float(seen.eye)};
 }
 
 std::uint32_t place_of_pixel(std::uint32_t x, std::uint32_t y) { return spread_bits(x) | spread_bits(y) << 1; }

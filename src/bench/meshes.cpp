@@ -6,13 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "numerics/as_float.hpp"
+
 namespace glassbox {
 
 namespace {
 
 constexpr Rgb grey{200, 200, 200};
-
-Vec3<double> in_floats(const Vec3<double>& v) { return convert<double>(convert<float>(v)); }
 
 /// Adds a grid cell's two triangles, abc and acd.
 void add_cell(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -35,7 +35,7 @@ Mesh trefoil(std::uint32_t around, std::uint32_t across) {
         for (std::uint32_t j = 0; j < across; ++j) {
             const double angle = turn * j / across;
             mesh.vertices.push_back(
-                in_floats(1.0 / 3 * (middle(s) + 0.5 * (std::cos(angle) * side + std::sin(angle) * above))));
+                as_float(1.0 / 3 * (middle(s) + 0.5 * (std::cos(angle) * side + std::sin(angle) * above))));
             const auto at = [&](std::uint32_t k, std::uint32_t l) { return k % around * across + l % across; };
             add_cell(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
         }
@@ -77,7 +77,7 @@ Mesh icosphere(int splits) {
         }
         mesh.faces = std::move(finer);
     }
-    for (Vec3<double>& v : mesh.vertices) v = in_floats(unit(v));
+    for (Vec3<double>& v : mesh.vertices) v = as_float(unit(v));
     return mesh;
 }
 
@@ -91,7 +91,7 @@ Mesh terrain(std::uint32_t cells) {
             const double x = 2.0 * i / cells - 1, y = 2.0 * j / cells - 1;
             const double z = 0.1 * std::sin(7 * x + 1) * std::cos(5 * y) + 0.03 * std::sin(23 * x + 3 * y) +
                              0.01 * std::sin(61 * y + 40 * x);
-            mesh.vertices.push_back(in_floats({x, y, z}));
+            mesh.vertices.push_back(as_float(Vec3<double>{x, y, z}));
         }
     for (std::uint32_t j = 0; j < cells; ++j)
         for (std::uint32_t i = 0; i < cells; ++i) {

@@ -9,6 +9,7 @@
 #include "bench/plain_loop.hpp"
 #include "bench/trace_certified.hpp"
 #include "engine/tile.hpp"
+#include "numerics/as_float.hpp"
 #include "render/search/build_engine.hpp"
 #include "render/search/certified_search.hpp"
 
@@ -22,7 +23,7 @@ Scene knot(int side) {
     return scene;
 }
 
-bool are_floats(const Vec3<double>& v) { return convert<double>(convert<float>(v)) == v; }
+bool are_floats(const Vec3<double>& v) { return as_float(v) == v; }
 
 }  // namespace
 
@@ -39,6 +40,11 @@ TEST_CASE("every pixel's ray is made of floats, and runs nearly as the scene's v
             off += !are_floats(ray.P) || !are_floats(ray.D) || std::sqrt(dot(apart, apart)) > 2 * 0x1p-12;
         }
     CHECK(off == 0);
+}
+
+TEST_CASE("the vertices of all meshes are floats, as Embree is given them") {
+    for (const Mesh& mesh : {trefoil(16, 6), icosphere(2), terrain(8)})
+        CHECK(std::ranges::all_of(mesh.vertices, are_floats));
 }
 
 TEST_CASE("each 16 rays of the list are 4 x 4 pixels, and each pixel has one") {

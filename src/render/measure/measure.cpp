@@ -1,25 +1,18 @@
-#include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
+#include "render/measure/filled_channels.hpp"
 #include "render/measure/known_zeros.hpp"
+#include "render/measure/measure_sides.hpp"
 #include "render/measure/reference_search.hpp"
-#include "render/measure/why_no_value.hpp"
 #include "render/render.hpp"
 #include "render/trace_pixels.hpp"
 
 namespace glassbox {
 
 namespace {
-
-std::vector<Channel> empty_channels(const Measurement& measurement, int width, int height) {
-    const std::size_t pixels = pixel_count(width, height);
-    std::vector<Channel> channels;
-    for (const std::string_view name : measurement.channels())
-        channels.push_back({std::string(name), width, height, std::vector<double>(pixels, no_value)});
-    return channels;
-}
 
 PixelNumbers& numbers_of(PixelNumbers& probe) { return probe; }
 PixelNumbers& numbers_of(WithTriangles& probe) { return probe.numbers; }
@@ -30,30 +23,12 @@ double drift(const View& one, const View& other, int x, int y, int height) {
     return std::hypot(dx, dy, dz);  // its squares neither overflow nor underflow
 }
 
-/// The reason nearest to a value, of all pixels' reasons so far. Several threads add reasons.
-class NearestReason {
-public:
-    void consider(WhyNoValue why) {
-        WhyNoValue last = last_.load(std::memory_order_relaxed);
-        while (last < why && !last_.compare_exchange_weak(last, why, std::memory_order_relaxed)) {
-        }
-    }
-    WhyNoValue get() const { return last_; }
-
-private:
-    std::atomic<WhyNoValue> last_ = WhyNoValue::has_one;
-};
-
-bool has_value(const Channel& channel) {
-    return !std::ranges::all_of(channel.values, [](double value) { return std::isnan(value); });
-}
-
 /// The union of the measurements' needs.
 Needs needs_of(std::span<const Measurement* const> wanted) {
     Needs needs;
     for (const Measurement* measurement : wanted) {
         needs.truth |= measurement->needs.truth;
-        needs.triangles |= measurement->needs.triangles;
+        if (measurement->needs.sides != OfSides::nothing) needs.sides = OfSides::all;
         needs.drift |= measurement->needs.drift;
         needs.all_hits |= measurement->needs.all_hits;
         needs.boxes |= measurement->needs.boxes;
@@ -61,14 +36,12 @@ Needs needs_of(std::span<const Measurement* const> wanted) {
     return needs;
 }
 
-/// Measures with the cheapest sufficient probe.
+/// Measures what a probe hears of the search that the options name.
 template <class Probe>
-std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options options,
-                                              std::span<const Measurement* const> wanted, Job job) {
+std::vector<std::vector<Channel>> measured_by_search(const Scene& scene, const Options& options, bool by_engine,
+                                                     std::span<const Measurement* const> wanted, Job job) {
     const Needs needs = needs_of(wanted);
-    if (needs.boxes && options.engine == EngineChoice::automatic) options.engine = EngineChoice::fast;
     // The engine's traversal to the nearest hit skips what lies behind it.
-    const bool by_engine = uses_engine(scene, options, false);
     const bool count_hits = needs.all_hits && by_engine;
     if (!job.engine && (needs.truth || by_engine)) job.engine = build_engine(scene, options.stage, job.threads);
     const View rebuilt = rebuilt_view(scene, turns_of(options));
@@ -77,42 +50,82 @@ std::vector<std::vector<Channel>> measured_by(const Scene& scene, Options option
     if (needs.truth || count_hits) reference.emplace(job.engine);
 
     std::optional<KnownZeros> known_zeros;
-    if (needs.triangles) known_zeros.emplace(scene, options);
+    if (needs.sides != OfSides::nothing) known_zeros.emplace(scene, options);
 
-    std::vector<std::vector<Channel>> result;
-    for (const Measurement* measurement : wanted)
-        result.push_back(empty_channels(*measurement, scene.width, scene.height));
-
-    std::vector<NearestReason> reasons(wanted.size());
+    FilledChannels channels(scene, wanted);
     trace_pixels<Probe>(scene, options, job, [&](int x, int y, const Ray<double>& ray, Rgb, Probe& probe) {
         PixelNumbers& numbers = numbers_of(probe);
         if (needs.drift) numbers.drift = drift(rebuilt, accumulated, x, y, scene.height);
         if (is_proven(options.scalar)) numbers.undecided = static_cast<double>(numbers.exact_tests);
         if (count_hits) numbers.hits = static_cast<double>(reference->hits(ray).met.size());
         if (needs.truth) reference->compare(ray, options.scalar, numbers);
-        TriangleNumbers& triangles = numbers.triangles;
-        if (known_zeros && !triangles.zeros.empty() && known_zeros->are_known(ray, triangles.zeros))
-            triangles.know_zeros();
-        const std::size_t pixel = index_of({x, y}, scene.width);
-        for (std::size_t m = 0; m < wanted.size(); ++m) {
-            reasons[m].consider(
-                why_no_value(*wanted[m], numbers, {options, scene.shading.model, by_engine, is_valid(ray)}));
-            const std::array<double, 3> values = wanted[m]->read(numbers);
-            for (std::size_t p = 0; p < result[m].size(); ++p) result[m][p].values[pixel] = values[p];
-        }
+        if (known_zeros) known_zeros->take_into(ray, numbers.triangles);
+        channels.fill({x, y}, numbers, {options, scene.shading.model, by_engine, is_valid(ray)});
     });
-    for (std::size_t m = 0; m < wanted.size(); ++m)
-        for (Channel& channel : result[m])
-            if (!has_value(channel)) channel.why_no_value = reason_text(reasons[m].get(), *wanted[m], options);
-    return result;
+    return channels.filled(options);
+}
+
+/// How some measurements are made, all of them at once; the slowest ways first.
+enum class Way { by_search, by_all_sides, by_least_sides, by_least_certain_sides, by_count };
+
+/// In the plain loop every surface is tested: so what is asked of side products alone needs no search, and the number
+/// of tests is known.
+Way way_of(const Measurement& what, bool by_engine) {
+    if (by_engine) return Way::by_search;
+    if (what.needs.only_count) return Way::by_count;
+    switch (what.needs.sides) {
+        case OfSides::nothing:
+            break;
+        case OfSides::all:
+            return Way::by_all_sides;
+        case OfSides::least:
+            return Way::by_least_sides;
+        case OfSides::least_certain:
+            return Way::by_least_certain_sides;
+    }
+    return Way::by_search;
+}
+
+std::vector<std::vector<Channel>> measured(Way way, const Scene& scene, const Options& options, bool by_engine,
+                                           std::span<const Measurement* const> wanted, const Job& job) {
+    switch (way) {
+        case Way::by_search:
+            break;
+        case Way::by_all_sides:
+            return measured_by_sides(scene, options, OfSides::all, wanted, job);
+        case Way::by_least_sides:
+            return measured_by_sides(scene, options, OfSides::least, wanted, job);
+        case Way::by_least_certain_sides:
+            return measured_by_sides(scene, options, OfSides::least_certain, wanted, job);
+        case Way::by_count:
+            return counted_tests(scene, options, wanted, job);
+    }
+    return needs_of(wanted).sides != OfSides::nothing
+               ? measured_by_search<WithTriangles>(scene, options, by_engine, wanted, job)
+               : measured_by_search<PixelNumbers>(scene, options, by_engine, wanted, job);
 }
 
 }  // namespace
 
-std::vector<std::vector<Channel>> measure(const Scene& scene, const Options& options,
+std::vector<std::vector<Channel>> measure(const Scene& scene, const Options& given,
                                           std::span<const Measurement* const> wanted, const Job& job) {
-    return needs_of(wanted).triangles ? measured_by<WithTriangles>(scene, options, wanted, job)
-                                      : measured_by<PixelNumbers>(scene, options, wanted, job);
+    Options options = given;
+    if (needs_of(wanted).boxes && options.engine == EngineChoice::automatic) options.engine = EngineChoice::fast;
+    const bool by_engine = uses_engine(scene, options, false);
+
+    std::map<Way, std::vector<std::size_t>> by_way;
+    for (std::size_t m = 0; m < wanted.size(); ++m) by_way[way_of(*wanted[m], by_engine)].push_back(m);
+
+    std::vector<std::vector<Channel>> result(wanted.size());
+    Job one_job = job;
+    for (const auto& [way, numbers] : by_way) {
+        std::vector<const Measurement*> these;
+        for (const std::size_t m : numbers) these.push_back(wanted[m]);
+        auto channels = measured(way, scene, options, by_engine, these, one_job);
+        for (std::size_t i = 0; i < numbers.size(); ++i) result[numbers[i]] = std::move(channels[i]);
+        one_job.done = nullptr;  // a pixel counts once
+    }
+    return result;
 }
 
 }  // namespace glassbox

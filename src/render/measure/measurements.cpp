@@ -39,6 +39,11 @@ constexpr Measurement needing(Measurement measurement) {
     return measurement;
 }
 
+constexpr Measurement about_sides(OfSides what, Measurement measurement) {
+    measurement.needs.sides = what;
+    return measurement;
+}
+
 constexpr Measurement with_contour(double value, Measurement measurement) {
     measurement.contour = value;
     return measurement;
@@ -73,8 +78,8 @@ constexpr Scale sequential = Scale::sequential, diverging = Scale::diverging;
 constexpr std::string_view verdicts[] = {"right", "wrong hit", "wrong miss", "wrong surface"};
 
 constexpr Measurement all[] = {
-    number("tests", "", "how many surfaces were tested against the pixel's ray", sequential, Source::ray,
-           read<&P::tests>),
+    needing<&Needs::only_count>(number("tests", "", "how many surfaces were tested against the pixel's ray", sequential,
+                                       Source::ray, read<&P::tests>)),
     needing<&Needs::all_hits>(number("hits", "", "how many surfaces the ray meets ahead of its start", sequential,
                                      Source::ray, read<&P::hits>)),
     number("depth", "|D|", "t of the nearest surface, in lengths of the ray's direction", sequential, Source::hit,
@@ -107,15 +112,18 @@ constexpr Measurement all[] = {
                                 "discriminant", "length² |D|²",
                                 "(v·D)² − D²(v² − r²), the largest of all spheres: negative where every one is missed",
                                 diverging, Source::spheres, read<&P::discriminant>))),
-    worst<Worst::nearest_0>(needing<&Needs::triangles>(
+    worst<Worst::nearest_0>(about_sides(
+        OfSides::least,
         number("side", "", "the smallest side product over the sum of its terms' sizes: 0 on an edge's line", diverging,
                Source::sides, read<&T::side>))),
     between(-4, 16,
-            worst<Worst::least, Alarm::below_0>(needing<&Needs::triangles>(with_infinities(
-                "computed as 0, or too large: nothing is known", "exactly 0, and known to be",
-                number("margin", "digits",
-                       "log10 of the deciding side product over its error bound: below 0 it decides nothing",
-                       Scale::danger, Source::sides, read<&T::margin>))))),
+            worst<Worst::least, Alarm::below_0>(about_sides(
+                OfSides::least_certain,
+                with_infinities(
+                    "computed as 0, or too large: nothing is known", "exactly 0, and known to be",
+                    number("margin", "digits",
+                           "log10 of the deciding side product over its error bound: below 0 it decides nothing",
+                           Scale::danger, Source::sides, read<&T::margin>))))),
     worst<Worst::greatest, Alarm::above_0>(
         number("undecided", "", "how many surfaces error bounds could not decide: exact arithmetic did", Scale::alarm,
                Source::proof, read<&P::undecided>)),
@@ -125,16 +133,17 @@ constexpr Measurement all[] = {
                                           Scale::words, Source::ray, read<&P::verdict>))))),
     with_infinities(
         "a difference of 0: all signs agree", "",
-        with_contour(1, needing<&Needs::triangles>(number(
-                            "deficit", "log10",
-                            "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
-                            sequential, Source::sides, read<&T::deficit>)))),
+        with_contour(
+            1, about_sides(OfSides::all,
+                           number("deficit", "log10",
+                                  "the paper's difference | |a+b+c| − (|a|+|b|+|c|) |; the line is its tolerance of 10",
+                                  sequential, Source::sides, read<&T::deficit>)))),
     needing<&Needs::truth>(number("bits-lost", "bits",
                                   "how many of the last bits of t are not the true ones: log2(ulps + 1)", Scale::danger,
                                   Source::true_t, read<&P::bits_lost>)),
-    needing<&Needs::triangles>(number("identity", "u P",
-                                      "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding",
-                                      sequential, Source::sides, read<&T::identity>)),
+    about_sides(OfSides::all,
+                number("identity", "u P", "how far a+b+c is from −D·((B−A)×(C−A)), which it equals without rounding",
+                       sequential, Source::sides, read<&T::identity>)),
     needing<&Needs::drift>(number("drift", "length",
                                   "how far the ray's start drifts when turns are added up step by step", sequential,
                                   Source::ray, read<&P::drift>)),

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "render/measure/of_sides.hpp"
 #include "render/measure/spacing.hpp"
 
 namespace glassbox {
@@ -43,11 +44,12 @@ enum class Source {
 
 /// What a measurement needs beyond listening to the rays that are traced anyway.
 struct Needs {
-    bool truth = false;      ///< the true hits, to compare with
-    bool triangles = false;  ///< the side products of every tested triangle, measured
-    bool drift = false;      ///< the view turned in the other way, to compare with
-    bool all_hits = false;   ///< hits behind the nearest one, too
-    bool boxes = false;      ///< the engine's hierarchy
+    bool truth = false;                ///< the true hits, to compare with
+    bool drift = false;                ///< the view turned in the other way, to compare with
+    bool all_hits = false;             ///< hits behind the nearest one, too
+    bool boxes = false;                ///< the engine's hierarchy
+    OfSides sides = OfSides::nothing;  ///< the side products of the tested triangles, measured
+    bool only_count = false;           ///< nothing but how many surfaces are tested
 };
 
 /// One thing that `glassbox measure` can measure.

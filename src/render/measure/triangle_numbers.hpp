@@ -9,6 +9,7 @@
 #include <tolerance.hpp>
 
 #include "render/measure/channel.hpp"
+#include "render/measure/of_sides.hpp"
 
 namespace glassbox {
 
@@ -29,15 +30,18 @@ public:
         sizes = {S.a.size, S.b.size, S.c.size};
         values = glassbox::sides(D, seen);
         sides = {scaled(values.a), scaled(values.b), scaled(values.c)};
-        const double along = (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) * (1 + 0x1p-16);  // rounded, too
-        const double underflow = std::ldexp(1.0, tiny - 2 * length_) * along + std::ldexp(2.0, tiny - length());
-        bounds = {bound(sizes.a, underflow), bound(sizes.b, underflow), bound(sizes.c, underflow)};
+        along_ = (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) * (1 + 0x1p-16);  // rounded, too
         is_tiny = length_ < 0 || direction_ < 0;
     }
 
     Sides<Real> values;  ///< not scaled
-    Sides<double> sides, sizes, bounds;
+    Sides<double> sides, sizes;
     bool is_tiny;  ///< the largest numbers are below 2^-60: what is computed of the side products may underflow
+
+    Sides<double> bounds() const {
+        const double underflow = std::ldexp(1.0, tiny - 2 * length_) * along_ + std::ldexp(2.0, tiny - length());
+        return {bound(sizes.a, underflow), bound(sizes.b, underflow), bound(sizes.c, underflow)};
+    }
 
     /// Another number in length² |D|.
     double scaled(Real number) const { return scaled(number, length()); }
@@ -73,6 +77,7 @@ private:
 
     /// Exponents of the largest coordinate, but not below that of η's cube root, and of D's largest component.
     int length_, direction_;
+    double along_;  ///< no less than |D.x| + |D.y| + |D.z|
 };
 
 /// Measures the side products of all triangles tested at a pixel; `no_value` before the first triangle, and where a
@@ -86,18 +91,24 @@ struct TriangleNumbers {
     /// The triangles whose deciding side product came out as 0, as seen from the ray's start.
     std::vector<Triangle<long double>> zeros = {};
     double margin_of_others = no_value;  ///< the margin of all products but these zeros
+    OfSides asked = OfSides::all;        ///< the numbers that are not asked for are left without a value
 
     /// Adds one triangle as seen from the ray's start, and the ray's direction.
     template <class Real>
     void take(const Triangle<Real>& seen, const Vec3<Real>& D) {
         tested = true;
         const ScaledSides<Real> s(D, seen);
-        take_side(s.values.a, s.sides.a, s.sizes.a);
-        take_side(s.values.b, s.sides.b, s.sizes.b);
-        take_side(s.values.c, s.sides.c, s.sizes.c);
-        take_certainty(certainty(s.sides, s.bounds), s, seen);
+        if (asked != OfSides::least_certain) {
+            take_side(s.values.a, s.sides.a, s.sizes.a);
+            take_side(s.values.b, s.sides.b, s.sizes.b);
+            take_side(s.values.c, s.sides.c, s.sizes.c);
+        }
+        if (asked == OfSides::least) return;
+        const Sides<double> bounds = s.bounds();
+        take_certainty(certainty(s.sides, bounds), s, bounds, seen);
+        if (asked == OfSides::least_certain) return;
         keep(deficit, log10_of_deficit(seen, D), std::fmin);
-        keep(identity, residual(seen, D, s), std::fmax);
+        keep(identity, residual(seen, D, s, bounds), std::fmax);
     }
 
     /// Takes the zeros for what they are: exactly 0. No error is there to be near to: their own margin is ∞.
@@ -109,11 +120,12 @@ private:
     static void keep(double& kept, double value, double (*better)(double, double)) { kept = better(kept, value); }
 
     template <class Real>
-    void take_certainty(double certainty, const ScaledSides<Real>& s, const Triangle<Real>& seen) {
-        const bool is_zero = certainty == 0 && !s.is_tiny && std::isfinite(s.bounds.a + s.bounds.b + s.bounds.c) &&
+    void take_certainty(double certainty, const ScaledSides<Real>& s, const Sides<double>& bounds,
+                        const Triangle<Real>& seen) {
+        const bool is_zero = certainty == 0 && !s.is_tiny && std::isfinite(bounds.a + bounds.b + bounds.c) &&
                              std::isfinite(s.sides.a + s.sides.b + s.sides.c);
         if (is_zero) zeros.push_back(convert<long double>(seen));
-        keep(margin_of_others, std::log10(is_zero ? certainty_of_nonzero(s.sides, s.bounds) : certainty), std::fmin);
+        keep(margin_of_others, std::log10(is_zero ? certainty_of_nonzero(s.sides, bounds) : certainty), std::fmin);
         keep(margin, std::log10(certainty), std::fmin);
     }
 
@@ -155,10 +167,11 @@ private:
     }
 
     template <class Real>
-    static double residual(const Triangle<Real>& seen, const Vec3<Real>& D, const ScaledSides<Real>& s) {
+    static double residual(const Triangle<Real>& seen, const Vec3<Real>& D, const ScaledSides<Real>& s,
+                           const Sides<double>& bounds) {
         const auto& [A, B, C] = seen;
         const double difference = s.scaled(s.values.a + s.values.b + s.values.c + dot(D, cross(B - A, C - A)));
-        const double unit = (s.bounds.a + s.bounds.b + s.bounds.c) / 8;
+        const double unit = (bounds.a + bounds.b + bounds.c) / 8;
         return std::isfinite(unit) ? std::abs(difference) / unit : no_value;
     }
 };
