@@ -66,21 +66,11 @@ constexpr int place_in_tile(int x, int y) {
     return quarter * quarter_size + y % quarter_side * quarter_side + x % quarter_side;
 }
 
-/// What a tile's rays meet first. Where it is a surface, its key is between the two.
+/// What a tile's rays meet first. Where it is a surface, at about this t: the engine's, see Grid::t_scale.
 struct alignas(64) Tile {
     std::uint32_t surface[tile_size];
-    float key_low[tile_size], key_high[tile_size];
-
-    float key(int at) const { return 0.5f * key_low[at] + 0.5f * key_high[at]; }
+    float t[tile_size];
 };
-
-/// The engine's t of a key.
-inline double t_of_key(const Grid& grid, float key) {
-    return grid.pinhole ? grid.key_of_t / static_cast<double>(key) : -static_cast<double>(key) / grid.key_of_t;
-}
-
-/// The t of a key for the ray as the view has it.
-inline double given_t_of_key(const Grid& grid, float key) { return t_of_key(grid, key) / grid.t_scale; }
 
 /// The rays of the columns from `column` on, and of the rows from `row` on upwards.
 void trace_tile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile);

@@ -122,39 +122,63 @@ public:
     }
 
     HWY_ATTR void operator()() {
+        find_keys();
+        const auto key_of_t = static_cast<float>(grid_.key_of_t);
+        for (std::size_t i = 0; i < tile_size; i += Floats::count()) {
+            const Floats key = 0.5f * Floats::load(key_low_ + i) + 0.5f * Floats::load(key_high_ + i);
+            (grid_.pinhole ? key_of_t / key : -key * (1 / key_of_t)).store(tile_.t + i);
+        }
+    }
+
+private:
+    HWY_ATTR void find_keys() {
         const Hierarchy& hierarchy = engine_.hierarchy();
-        if (!engine_.loose().empty()) return give_up();  // they are tested in doubles, ray by ray
+        if (!engine_.loose().empty()) return fill(not_told, 0);  // they are tested in doubles, ray by ray
         if (hierarchy.nodes.empty()) return;
         const std::optional<Sight> seen = sight(engine_, grid_, {middle_.P - engine_.middle(), middle_.D});
-        if (!seen) return give_up();
+        if (!seen) return fill(not_told, 0);
         float t_max = std::numeric_limits<float>::infinity();
         Visits visits({0, -std::numeric_limits<float>::infinity()});
         while (!visits.is_empty()) {
             const auto [child, entry] = visits.pop();
             if (entry > t_max) continue;
             if (Child::is_leaf(child)) {
-                if (test(child)) t_max = beyond(t_of_key(grid_, least_key_));
+                if (test(child)) t_max = beyond(t_of_key(least_key_));
+                if (given_up_) return fill(not_told, 0);
                 continue;
             }
             const Node& node = hierarchy.nodes[child];
             alignas(32) float entries[fan_out];
             const std::uint32_t met = children_met(node, *seen, t_max, entries);
+            prefetch(node, met);
             visits.push(node, met, entries);
         }
     }
 
-private:
+    double t_of_key(float key) const {
+        const auto k = static_cast<double>(key);
+        return grid_.pinhole ? grid_.key_of_t / k : -k / grid_.key_of_t;
+    }
+
     HWY_ATTR void fill(std::uint32_t surface, float key) {
         for (std::size_t i = 0; i < tile_size; i += Floats::count()) {
-            Floats(key).store(tile_.key_low + i);
-            Floats(key).store(tile_.key_high + i);
+            Floats(key).store(key_low_ + i);
+            Floats(key).store(key_high_ + i);
             Words(surface).store(tile_.surface + i);
         }
         least_key_ = key;
         std::fill(std::begin(least_keys_), std::end(least_keys_), key);
     }
 
-    void give_up() { fill(not_told, 0); }
+    /// Lets the processor fetch leaves of triangles that will be opened soon, while others are tested.
+    void prefetch(const Node& node, std::uint32_t children) const {
+        for (; children != 0; children &= children - 1) {
+            const std::uint32_t child = node.child[__builtin_ctz(children)];
+            if (!Child::is_leaf(child) || Child::is_of_spheres(child)) continue;
+            const auto* const block = reinterpret_cast<const char*>(&engine_.blocks()[Child::index(child)]);
+            for (std::size_t at = 0; at < sizeof(Block); at += 64) __builtin_prefetch(block + at);
+        }
+    }
 
     /// Tests a leaf's surfaces against all rays; true if all rays have now met something nearer than before.
     HWY_ATTR bool test(std::uint32_t leaf) {
@@ -175,18 +199,18 @@ private:
         Floats low, high;
     };
 
-    /// What the rays of some lanes have met so far, as Tile has it.
+    /// What the rays of some lanes have met so far, as the kernel keeps it.
     struct Best {
         Floats low, high;
         Words surface;
 
-        static HWY_ATTR Best load(const Tile& tile, std::size_t i) {
-            return {Floats::load(tile.key_low + i), Floats::load(tile.key_high + i), Words::load(tile.surface + i)};
+        static HWY_ATTR Best load(const TileKernel& of, std::size_t i) {
+            return {Floats::load(of.key_low_ + i), Floats::load(of.key_high_ + i), Words::load(of.tile_.surface + i)};
         }
-        HWY_ATTR void store(Tile& tile, std::size_t i) const {
-            low.store(tile.key_low + i);
-            high.store(tile.key_high + i);
-            surface.store(tile.surface + i);
+        HWY_ATTR void store(TileKernel& to, std::size_t i) const {
+            low.store(to.key_low_ + i);
+            high.store(to.key_high_ + i);
+            surface.store(to.tile_.surface + i);
         }
 
         /// Takes what was found where it is nearer for sure; where nobody can tell, says so.
@@ -207,12 +231,12 @@ private:
             Floats least = std::numeric_limits<float>::infinity();
             const auto begin = static_cast<std::size_t>(q * quarter_size);
             for (std::size_t i = begin; i < begin + quarter_size; i += Floats::count()) {
-                Best best = Best::load(tile_, i);
+                Best best = Best::load(*this, i);
                 const auto is = [&](const float* marks) HWY_ATTR { return Floats::load(marks + i) > 0.0f; };
                 const Floats low = Floats::load(keys.low + i), high = Floats::load(keys.high + i);
                 const auto live = is(keys.live) & (high >= best.low);
                 best.take({live, live & is(keys.sure), low, high}, surface);
-                best.store(tile_, i);
+                best.store(*this, i);
                 least = min(least, best.low);
             }
             least_keys_[q] = least_of_all(least);
@@ -221,7 +245,10 @@ private:
 
     HWY_ATTR void test_triangles(const Block& block) {
         const TileRays rays = tile_rays(grid_, middle_, block);
-        if (!are_within_floats(rays)) return give_up();
+        if (!are_within_floats(rays)) {
+            given_up_ = true;
+            return;
+        }
         Triangles triangles = set_up(rays, block, least_key_);
         if (triangles.left == 0) return;
         std::uint32_t in_quarter[quarters];
@@ -267,7 +294,7 @@ private:
         const auto begin = static_cast<std::size_t>(quarter * quarter_size);
         for (std::size_t i = begin; i < begin + quarter_size; i += Floats::count()) {
             const Floats dj = Floats::load(offsets.right + i), di = Floats::load(offsets.up + i);
-            Best best = Best::load(tile_, i);
+            Best best = Best::load(*this, i);
             for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
                 const auto at = static_cast<std::size_t>(__builtin_ctz(rest));
                 const auto number = [&](const Linear& linear) HWY_ATTR {
@@ -284,7 +311,7 @@ private:
                 const auto sure = live & (high < behind) & (innermost > triangles.sure[at]);
                 best.take({live, sure, low, high}, block.surface[at]);
             }
-            best.store(tile_, i);
+            best.store(*this, i);
             least = min(least, best.low);
         }
         least_keys_[quarter] = least_of_all(least);
@@ -293,8 +320,10 @@ private:
     const Engine& engine_;
     const Grid& grid_;
     Tile& tile_;
+    alignas(64) float key_low_[tile_size], key_high_[tile_size];  ///< of what each ray has met; its key lies between
     glassbox::Ray<double> middle_;
     float least_key_ = 0, least_keys_[quarters];
+    bool given_up_ = false;  ///< the rays are to be traced one by one
 };
 
 HWY_ATTR void TraceTile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile) {

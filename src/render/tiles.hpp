@@ -33,8 +33,9 @@ void trace_tiles(const engine::Engine& engine, const View& view, int width, int 
                  const Each& each) {
     constexpr int side = engine::tile_side, part_side = 2 * side;
     const std::optional<engine::Grid> rays = grid_for(view, width, height, engine);
+    const double per_t_scale = rays ? 1 / rays->t_scale : 1;
     for_each_block(width, height, job, [&](const auto& columns, const auto& rows) {
-        engine::Tile tile, untold;
+        engine::Tile tile, untold{};
         std::fill(std::begin(untold.surface), std::end(untold.surface), engine::not_told);
         for_each_square(columns, rows, part_side, [&](int part_x, int part_y) {
             const tbb::blocked_range<int> part_columns(part_x, std::min(part_x + part_side, columns.end())),
@@ -50,7 +51,7 @@ void trace_tiles(const engine::Engine& engine, const View& view, int width, int 
                 for (int y = y0; y < y1; ++y)
                     for (int x = x0; x < x1; ++x) {
                         const int at = engine::place_in_tile(x - x0, height - 1 - y - bottom);
-                        each(x, y, told.surface[at], together ? engine::given_t_of_key(*rays, told.key(at)) : 0);
+                        each(x, y, told.surface[at], static_cast<double>(told.t[at]) * per_t_scale);
                     }
             });
         });

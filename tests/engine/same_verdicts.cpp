@@ -2,10 +2,13 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "../certified/cases.hpp"
+#include "numerics/exact.hpp"
 #include "render/search/build_engine.hpp"
+#include "render/search/exact_crossing.hpp"
 #include "render/search/fast_search.hpp"
 #include "render/shoot.hpp"
 
@@ -44,6 +47,20 @@ bool same(const Shot& one, const Shot& other) {
            one.t_error == other.t_error;
 }
 
+/// t of a surface that is met.
+Exact true_t(const engine::Engine& engine, const Ray<double>& ray, std::size_t surface) {
+    return engine.with_surface(surface, [&]<class Surface>(const Surface& s) {
+        if constexpr (std::is_same_v<Surface, Sphere<double>>) return exact_crossing(ray, s, Stable{})->exact();
+        else return exact_crossing(ray, s, Pluecker{})->exact();
+    });
+}
+
+/// Whether t lies between these two.
+bool between(const FastSearch::Nearest& bounds, const Exact& t) {
+    return (!std::isfinite(bounds.low) || compare(Exact(bounds.low), t) <= 0) &&
+           (!std::isfinite(bounds.high) || compare(t, Exact(bounds.high)) <= 0);
+}
+
 /// Returns for how many rays the engine's answer differs.
 int differences(const Case& c) {
     int count = 0;
@@ -64,7 +81,13 @@ int differences(const Case& c) {
         if (hit.has_value() != (plain[i].answer == Verdict::hit)) differs(ray, shown(plain[i]), hit ? "hit" : "miss");
         else if (hit && hit->surface != plain[i].surface)
             differs(ray, shown(plain[i]), "hit of " + std::to_string(hit->surface));
-        if (plain[i].answer != Verdict::invalid && nearest_only.occluded(ray) != (plain[i].answer == Verdict::hit))
+        if (plain[i].answer == Verdict::invalid) continue;
+        const auto nearest = nearest_only.nearest(ray);
+        if (nearest.has_value() != hit.has_value() || (nearest && nearest->surface != plain[i].surface))
+            differs(ray, shown(plain[i]), nearest ? "nearest " + std::to_string(nearest->surface) : "nothing nearest");
+        else if (nearest && !between(*nearest, true_t(nearest_only.engine(), ray, nearest->surface)))
+            differs(ray, shown(plain[i]), "another t for the nearest");
+        if (nearest_only.occluded(ray) != (plain[i].answer == Verdict::hit))
             differs(ray, shown(plain[i]), hit ? "not occluded" : "occluded");
     }
     return count;

@@ -164,6 +164,14 @@ TEST_CASE("small things just before what is far off") {
     }
 }
 
+// The triangle is met first, too near for floats: the tile must give up for good, whatever it meets afterwards.
+TEST_CASE("a triangle too small for floats about the eye, before a sphere far off") {
+    Scene scene;
+    scene.spheres.push_back({{0, 0, -0x1p26}, 0x1p25, {}});
+    scene.triangles.push_back({{{{0, 0, -0x1p-530}, {0, -0x1p-528, 0}, {-0x1p-532, 0, 0}}}, {}});
+    check("tiny", looked_at(scene, {0, 0, 0}, {0, 0, -1}, 1));
+}
+
 TEST_CASE("views that are hardly views") {
     const Scene scene = test::scene_of(Shapes::globe(2));
     Scene odd = from_above(scene, {0, 0, 0}, {0, 0, -1}, 3, size);

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -73,25 +74,20 @@ public:
         return way.best;
     }
 
-    /// What a ray meets first, and between which t; nothing if it meets nothing.
+    /// What a ray meets first, and between which t.
     struct Nearest {
         std::size_t surface;
         double low, high;
     };
 
-    /// The same surface as trace_proven's, but t only as nearly as it takes to find it: to a ten millionth of a
-    /// triangle's size, mostly. `ray` must be valid.
+    /// The same surface as trace_proven's, but t only as nearly as it takes to find it: mostly to some ten-millionths
+    /// of how far the triangles of its leaf reach. Nothing if the ray meets nothing. `ray` must be valid.
     std::optional<Nearest> nearest(const Ray<double>& ray) const {
         engine::BoxRay boxes;
         const engine::Candidates found = engine::first_candidates(engine(), ray, boxes);
-        if (found.is_told() && engine().loose().empty()) {
-            if (found.count == 0) return {};
-            return Nearest{found.list[0].surface, boxes.least_t(found.list[0].low), boxes.most_t(found.high)};
-        }
-        const Silent silent;
-        const std::optional<ProvenHit> hit = trace_proven(ray, silent);
-        if (!hit) return {};
-        return Nearest{hit->surface, hit->told_t, hit->told_t};
+        if (!found.is_told() || !engine().loose().empty()) return nearest_proven(ray);
+        if (found.count == 0) return {};
+        return Nearest{found.list[0].surface, boxes.least_t(found.list[0].low), boxes.most_t(found.high)};
     }
 
     /// Whether the ray meets anything. `ray` must be valid.
@@ -122,6 +118,16 @@ public:
     }
 
 private:
+    std::optional<Nearest> nearest_proven(const Ray<double>& ray) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const Silent silent;
+        const std::optional<ProvenHit> hit = trace_proven(ray, silent);
+        if (!hit) return {};
+        const Bounded t = predicates_.with_bound(ray, *hit).t;
+        return Nearest{hit->surface, std::nextafter(t.value - t.error, -infinity),
+                       std::nextafter(t.value + t.error, infinity)};
+    }
+
     /// What the engine says that the ray meets first, if anything.
     template <class Probe>
     std::optional<ProvenHit> proven(const Ray<double>& ray, const engine::BoxRay& boxes,
