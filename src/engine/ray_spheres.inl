@@ -30,8 +30,7 @@ HWY_INLINE HWY_ATTR MayMeet may_meet(const BoxRay& from, const glassbox::Sphere<
         // Whether it is met is sure, but t is told by plain doubles, whose squares must neither overflow nor underflow.
         const auto ordinary = (radius > 0x1p-100) & (radius < 0x1p100);
         // A ray that was moved ahead started outside.
-        const auto sure =
-            (is_moved ? roots.sure & equation.c.surely_positive() : roots.sure) & ordinary;
+        const auto sure = (is_moved ? roots.sure & equation.c.surely_positive() : roots.sure) & ordinary;
         select(sure, roots.t_low, from_the_start).store(result.low + at);  // else the bounds are not sure, either
         roots.t_high.store(result.high + at);
         const auto behind = sure & (roots.t_low > before);

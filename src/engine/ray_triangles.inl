@@ -21,23 +21,14 @@ inline ShearedRay sheared(const BoxRay& from) {
     constexpr std::size_t next[] = {1, 2, 0};
     const std::size_t x = next[z], y = next[x];
     const double per_D_z = 1 / D[z];
-    return {x,
-            y,
-            z,
-            P[x],
-            P[y],
-            P[z],
-            D[x] * per_D_z,
-            D[y] * per_D_z,
-            per_D_z,
-            from.start_error,
-            -from.shift};
+    return {x, y, z, P[x], P[y], P[z], D[x] * per_D_z, D[y] * per_D_z, per_D_z, from.start_error, -from.shift};
 }
 
 /// A block as such a ray sees it, in the block's units: see for_each_met.
 struct SeenBlock {
     FanOfFloats q_x, q_y, shear_x, shear_y, E;
-    double t_0, t_error;  ///< of the block's origin: the ray's own t, and what it is off, together with a sum's rounding
+    double t_0,
+        t_error;  ///< of the block's origin: the ray's own t, and what it is off, together with a sum's rounding
 
     HWY_ATTR SeenBlock(const ShearedRay& ray, const Block& block) {
         const auto per_unit = static_cast<double>(block.per_unit), unit = static_cast<double>(block.unit);

@@ -61,9 +61,10 @@ inline constexpr int quarter_side = 4;
 inline constexpr int quarter_size = quarter_side * quarter_side;
 
 /// Where the ray is kept that is `x` columns and `y` rows from the tile's first.
-constexpr int place_in_tile(int x, int y) {
-    const int quarter = y / quarter_side * 2 + x / quarter_side;
-    return quarter * quarter_size + y % quarter_side * quarter_side + x % quarter_side;
+constexpr std::uint32_t place_in_tile(std::uint32_t x, std::uint32_t y) {
+    constexpr std::uint32_t side = quarter_side;
+    const std::uint32_t quarter = y / side * 2 + x / side;
+    return quarter * quarter_size + y % side * side + x % side;
 }
 
 /// What a tile's rays meet first. Where it is a surface, at about this t: the engine's, see Grid::t_scale.

@@ -18,8 +18,8 @@ struct Offsets {
     alignas(64) float right[tile_size], up[tile_size];
 
     constexpr Offsets() : right(), up() {
-        for (int y = 0; y < tile_side; ++y)
-            for (int x = 0; x < tile_side; ++x) {
+        for (std::uint32_t y = 0; y < tile_side; ++y)
+            for (std::uint32_t x = 0; x < tile_side; ++x) {
                 right[place_in_tile(x, y)] = static_cast<float>(x) - (tile_side - 1) * 0.5f;
                 up[place_in_tile(x, y)] = static_cast<float>(y) - (tile_side - 1) * 0.5f;
             }
@@ -84,7 +84,8 @@ HWY_INLINE HWY_ATTR std::uint32_t beyond_reach(const Node& node, float near_reac
 }
 
 /// The children whose boxes some ray of the tile may meet, not beyond t_max; and the least t in each.
-HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& sight, float t_max, float (&entries)[fan_out]) {
+HWY_INLINE HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& sight, float t_max,
+                                               float (&entries)[fan_out]) {
     std::uint32_t met = 0;
     for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
         const FanOfFloats t_least = least_in_boxes(sight.t, node, at), t_most = most_in_boxes(sight.t, node, at);
@@ -150,7 +151,6 @@ private:
             const Node& node = hierarchy.nodes[child];
             alignas(32) float entries[fan_out];
             const std::uint32_t met = children_met(node, *seen, t_max, entries);
-            prefetch(node, met);
             visits.push(node, met, entries);
         }
     }
@@ -168,16 +168,6 @@ private:
         }
         least_key_ = key;
         std::fill(std::begin(least_keys_), std::end(least_keys_), key);
-    }
-
-    /// Lets the processor fetch leaves of triangles that will be opened soon, while others are tested.
-    void prefetch(const Node& node, std::uint32_t children) const {
-        for (; children != 0; children &= children - 1) {
-            const std::uint32_t child = node.child[__builtin_ctz(children)];
-            if (!Child::is_leaf(child) || Child::is_of_spheres(child)) continue;
-            const auto* const block = reinterpret_cast<const char*>(&engine_.blocks()[Child::index(child)]);
-            for (std::size_t at = 0; at < sizeof(Block); at += 64) __builtin_prefetch(block + at);
-        }
     }
 
     /// Tests a leaf's surfaces against all rays; true if all rays have now met something nearer than before.

@@ -5,6 +5,15 @@ using FanOfVectors = Vec3<FanOfFloats>;
 /// The largest of a vector's coordinates.
 HWY_INLINE HWY_ATTR FanOfFloats largest(const FanOfVectors& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
+/// w + a × b and a·b, rounded less often than by the core's formulas, where the processor multiplies and adds at once.
+HWY_INLINE HWY_ATTR FanOfVectors plus_cross(const FanOfVectors& w, const FanOfVectors& a, const FanOfVectors& b) {
+    return {less_product(multiply_add(a.y, b.z, w.x), a.z, b.y), less_product(multiply_add(a.z, b.x, w.y), a.x, b.z),
+            less_product(multiply_add(a.x, b.y, w.z), a.y, b.x)};
+}
+HWY_INLINE HWY_ATTR FanOfFloats dot(const FanOfVectors& a, const FanOfVectors& b) {
+    return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
+}
+
 /// A number that is linear within the tile, value + dj·right + di·up, for each of eight triangles.
 struct Linear {
     alignas(32) float value[fan_out], right[fan_out], up[fan_out];
@@ -113,9 +122,9 @@ struct RaysInFloats {
 
     /// The side products of an edge that starts at A.
     HWY_INLINE HWY_ATTR Line side(const FanOfVectors& A, const FanOfVectors& edge, bool pinhole) const {
-        const FanOfFloats value = dot(edge, p_x_D.value + cross(A, D.value));
+        const FanOfFloats value = dot(edge, plus_cross(p_x_D.value, A, D.value));
         if (!pinhole) return {value, dot(edge, p_x_D.right), dot(edge, p_x_D.up)};
-        return {value, dot(edge, p_x_D.right + cross(A, D.right)), dot(edge, p_x_D.up + cross(A, D.up))};
+        return {value, dot(edge, plus_cross(p_x_D.right, A, D.right)), dot(edge, plus_cross(p_x_D.up, A, D.up))};
     }
 };
 

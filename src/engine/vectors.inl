@@ -63,6 +63,10 @@ struct Numbers {
     friend HWY_ATTR Numbers multiply_add(const Numbers& a, const Numbers& b, const Numbers& c) {
         return hn::MulAdd(a.v, b.v, c.v);
     }
+    /// c − ab, likewise.
+    friend HWY_ATTR Numbers less_product(const Numbers& c, const Numbers& a, const Numbers& b) {
+        return hn::NegMulAdd(a.v, b.v, c.v);
+    }
     /// Where the mask says yes, a; elsewhere b.
     friend HWY_ATTR Numbers select(const Mask<D>& mask, const Numbers& a, const Numbers& b) {
         return hn::IfThenElse(mask.m, a.v, b.v);

@@ -50,7 +50,8 @@ void trace_tiles(const engine::Engine& engine, const View& view, int width, int 
                 const int y1 = std::min(y0 + side, part_rows.end()), x1 = std::min(x0 + side, part_columns.end());
                 for (int y = y0; y < y1; ++y)
                     for (int x = x0; x < x1; ++x) {
-                        const int at = engine::place_in_tile(x - x0, height - 1 - y - bottom);
+                        const std::uint32_t at = engine::place_in_tile(static_cast<std::uint32_t>(x - x0),
+                                                                       static_cast<std::uint32_t>(y0 + side - 1 - y));
                         each(x, y, told.surface[at], static_cast<double>(told.t[at]) * per_t_scale);
                     }
             });
