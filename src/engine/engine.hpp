@@ -61,6 +61,10 @@ public:
     // At that scale:
 
     const std::vector<Sphere<double>>& scaled_spheres() const { return spheres_; }
+    Triangle<double> scaled_triangle(std::size_t surface) const {
+        const std::uint32_t place = place_[surface - spheres_.size()];
+        return blocks_[place / fan_out].triangle(place % fan_out);
+    }
     const Hierarchy& hierarchy() const { return hierarchy_; }
     const std::vector<Block>& blocks() const { return blocks_; }
     /// The point that the hierarchy's boxes are relative to.
@@ -85,10 +89,7 @@ public:
 
     // As the scene has them:
 
-    Triangle<double> triangle(std::size_t surface) const {
-        const std::uint32_t place = place_[surface - spheres_.size()];
-        return as_given(blocks_[place / fan_out].triangle(place % fan_out));
-    }
+    Triangle<double> triangle(std::size_t surface) const { return as_given(scaled_triangle(surface)); }
 
     /// Calls `use` with the sphere or the triangle of that number.
     template <class Use>

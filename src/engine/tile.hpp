@@ -48,6 +48,11 @@ struct Grid {
     /// What key is to that t: key = key_of_t/t in a pinhole's view, −key_of_t·t in a parallel one. A larger key is
     /// nearer.
     double key_of_t = 1;
+
+    /// The powers of two that make of the size of the directions, and of the distance of what is seen near the engine's
+    /// middle, numbers of about 1. In a pinhole's view, of directions and lengths times these, a key is 1/t.
+    double per_direction() const { return key_of_t * per_distance(); }
+    double per_distance() const { return 0x1p50 / farthest; }
 };
 
 /// Nothing where numbers are so large, small, or different that the bounds fail; the rays are then to be traced one by

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <bounded.hpp>
 #include <kleene.hpp>
@@ -24,6 +25,13 @@ public:
 
     /// As near as a double can say it.
     Bounded to_bounded() const { return {high_, Bounded::up(std::abs(low_) + error_)}; }
+
+    /// The double nearest to the true number, if that is sure: where all that the number may be rounds to one double.
+    std::optional<double> nearest() const {
+        const double off = Bounded::up(std::abs(low_) + error_);
+        if (high_ + off == high_ && high_ - off == high_ && std::isfinite(high_)) return high_;
+        return {};
+    }
 
     friend BoundedPair operator-(const BoundedPair& a) { return {-a.high_, -a.low_, a.error_}; }
 
