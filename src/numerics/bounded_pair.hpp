@@ -1,7 +1,6 @@
 #pragma once
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include <bounded.hpp>
 #include <kleene.hpp>
@@ -26,13 +25,6 @@ public:
     /// As near as a double can say it.
     Bounded to_bounded() const { return {high_, Bounded::up(std::abs(low_) + error_)}; }
 
-    /// The double nearest to the true number, if that is sure: where all that the number may be rounds to one double.
-    std::optional<double> nearest() const {
-        const double off = Bounded::up(std::abs(low_) + error_);
-        if (high_ + off == high_ && high_ - off == high_ && std::isfinite(high_)) return high_;
-        return {};
-    }
-
     friend BoundedPair operator-(const BoundedPair& a) { return {-a.high_, -a.low_, a.error_}; }
 
     friend BoundedPair operator+(const BoundedPair& a, const BoundedPair& b) {
@@ -44,6 +36,8 @@ public:
 
     friend BoundedPair operator*(const BoundedPair& a, const BoundedPair& b) {
         if (a.is_exactly_zero() || b.is_exactly_zero()) return {};
+        if (b.is_a_double()) return a.times(b.high_);
+        if (a.is_a_double()) return b.times(a.high_);
         const double product = a.high_ * b.high_;
         const double first = a.high_ * b.low_, second = a.low_ * b.high_, middle = first + second;
         const double rest = std::fma(a.high_, b.high_, -product) + middle;
@@ -114,8 +108,16 @@ private:
         return {high, lost_in_sum(large, small, high), error == 0 ? 0 : Bounded::up(error)};
     }
 
+    /// The same as the product of two pairs, where what would be 0 is left out.
+    BoundedPair times(double exact) const {
+        const double product = high_ * exact, second = low_ * exact, rest = std::fma(high_, exact, -product) + second;
+        const double rounding = u * (2 * std::abs(second) + std::abs(rest));
+        return pair(product, rest, Bounded::up(Bounded::up(std::abs(exact)) * error_ + rounding) + Bounded::underflow);
+    }
+
     double size() const { return Bounded::up(std::abs(high_) + std::abs(low_)); }
-    bool is_exactly_zero() const { return high_ == 0 && low_ == 0 && error_ == 0; }
+    bool is_a_double() const { return low_ == 0 && error_ == 0; }
+    bool is_exactly_zero() const { return high_ == 0 && is_a_double(); }
 
     double high_ = 0, low_ = 0, error_ = 0;
 };

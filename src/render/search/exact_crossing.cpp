@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <chord.hpp>
 #include <probe.hpp>
 
-#include "numerics/bounded_pair.hpp"
 #include "numerics/exact.hpp"
+#include "render/search/far_point.hpp"
 #include "render/search/surface_normal.hpp"
 
 namespace glassbox {
@@ -24,32 +23,6 @@ std::optional<TrueT> crossing(const Ray<double>& ray, const Surface& surface, co
 
 Vec3<double> rounded_once(const Vec3<Exact>& a) {
     return {a.x.to_bounded().value, a.y.to_bounded().value, a.z.to_bounded().value};
-}
-
-/// The point of a far-off sphere that the ray meets as seen from its centre, in units of about the radius, rounded
-/// once: if pairs of doubles are sure of that, which spares exact arithmetic.
-///
-/// As the ray starts outside, it meets the sphere first, by all rules, half a chord before the chord's middle, l −
-/// √((r² − l²)/D²) D, if that lies ahead.
-[[gnu::flatten]] std::optional<Vec3<double>> rounded_by_pairs(const Ray<double>& ray, const Sphere<double>& sphere) {
-    if (!is_far_off(ray, sphere)) return {};
-    const BoundedPair zero(0), r(sphere.r);
-    const Vec3<BoundedPair> D = convert<BoundedPair>(ray.D);
-    const auto [a, m, v, l] = chord(convert<BoundedPair>(ray), convert<BoundedPair>(sphere));
-    const BoundedPair h = r * r - dot(l, l);
-    if (!surely(h > zero) || !surely(m > zero)) return {};
-    const Vec3<BoundedPair> point = l - sqrt(h / a) * D;
-    const std::optional<double> x = point.x.nearest(), y = point.y.nearest(), z = point.z.nearest();
-    if (!x || !y || !z) return {};
-    const double by = std::ldexp(1.0, std::clamp(-std::ilogb(sphere.r), -1000, 1000));
-    const Vec3<double> seen{*x, *y, *z}, result = by * seen;
-    // No digit may be lost to underflow, before or after.
-    const auto is_ordinary = [](double value) { return value == 0 || std::abs(value) > 0x1p-900; };
-    const auto are_ordinary = [&](const Vec3<double>& p) {
-        return is_ordinary(p.x) && is_ordinary(p.y) && is_ordinary(p.z);
-    };
-    if (!are_ordinary(seen) || !are_ordinary(result) || !is_finite(result)) return {};
-    return result;
 }
 
 Exact power_of_two(int n) { return Exact(std::ldexp(1.0, std::clamp(n, -1000, 1000))); }
@@ -85,11 +58,13 @@ std::array<int, 3> exact_side_signs(const Ray<double>& ray, const Triangle<doubl
 }
 
 std::optional<Vec3<double>> exact_normal(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
-    if (const auto seen = rounded_by_pairs(ray, sphere)) return unit_normal(Sphere<double>{{}, 1}, *seen);
+    const int e = std::ilogb(sphere.r);
+    if (const auto seen = far_point(ray, sphere))
+        return unit_normal(Sphere<double>{{}, 1}, std::ldexp(1.0, -e) * *seen);
     const std::optional<TrueT> t = exact_crossing(ray, sphere, rule);
     if (!t) return {};
     const Vec3<Exact> point = at(convert<Exact>(ray), t->exact()) - convert<Exact>(sphere.C);
-    const Vec3<double> seen = rounded_once(power_of_two(-std::ilogb(sphere.r)) * point);
+    const Vec3<double> seen = rounded_once(power_of_two(-e) * point);
     return unit_normal(Sphere<double>{{}, 1}, seen);
 }
 
