@@ -320,8 +320,8 @@ private:
         });
     }
 
-    /// Rules that are usual are called by themselves: so all of their arithmetic becomes one piece of code, in a third
-    /// of the time.
+    /// The usual rules are called by themselves, and not as one of several, so that all of their arithmetic becomes one
+    /// piece of code.
     template <class Number, class Shape, class Rule>
     [[gnu::flatten, gnu::noinline]] static Crossing<Number> crossing_in(const Ray<double>& ray, const Shape& shape,
                                                                         const Rule& rule) {
