@@ -208,11 +208,11 @@ private:
     /// Quarter by quarter, those in which it may be the nearest so far.
     HWY_ATTR void test_sphere(std::uint32_t surface) {
         const glassbox::Sphere<double>& sphere = engine_.scaled_spheres()[surface];
-        const std::optional<QuickSphere> quick = quick_sphere(grid_, middle_, sphere);
-        if (quick && !has_squares_) {
+        if (grid_.pinhole && longest_ == 0) {
             find_squares();
-            has_squares_ = true;
+            longest_ = longest_direction(grid_, middle_);
         }
+        const std::optional<QuickSphere> quick = quick_sphere(grid_, middle_, sphere, longest_);
         for (int q = 0; q < quarters; ++q) {
             const auto begin = static_cast<std::size_t>(q * quarter_size);
             if (quick && !may_be_nearer(*quick, begin)) continue;
@@ -335,7 +335,7 @@ private:
     glassbox::Ray<double> middle_;
     float least_key_ = 0, least_keys_[quarters];
     alignas(64) float squares_[tile_size];
-    bool has_squares_ = false;
+    double longest_ = 0;
 };
 
 HWY_ATTR void TraceTile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile) {

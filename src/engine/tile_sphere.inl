@@ -62,26 +62,29 @@ struct QuickSphere {
     bool outside;                  ///< else the rays start inside, surely
 };
 
+/// The most that a direction's terms add up to in a tile.
+HWY_INLINE double longest_direction(const Grid& grid, const glassbox::Ray<double>& middle) {
+    return grid.per_direction() * (length(middle.D) + half_tile * (length(grid.right) + length(grid.up)));
+}
+
 /// Nothing where that is not sure, or floats might overflow.
 ///
-/// With V = |v|, S = V² + r² ≥ |c|, G the most that a direction's terms add up to in the tile, and u = 2⁻²⁴: in floats
-/// 2b is off by 8uVG, four roundings of terms whose sizes add up to 2VG; ck + 2b by 3.1uSk more and 2uVG; its product
-/// with k and the sum with D² ≤ G², itself rounded, by 2u(Sk² + 2VGk) + 3.1uG² more. With 2VGk ≤ Sk² + G² that is no
-/// more than u(12.1Sk² + 10.1G²); so for bk + D², which has fewer terms. The bound is 16u(Sk² + G²): what doubles lost
-/// before, the ray's own error, ε < 24·2⁻⁵³ along its direction and 2ε(Vk + G) in f, and what underflow takes are
-/// nothing beside the rest, G being 2⁻²⁰ or more. Where floats overflow, so does the bound.
+/// With V = |v|, S = V² + r² ≥ |c|, G the longest direction, and u = 2⁻²⁴: in floats 2b is off by 8uVG, four roundings
+/// of terms whose sizes add up to 2VG; ck + 2b by 3.1uSk more and 2uVG; its product with k and the sum with D² ≤ G²,
+/// itself rounded, by 2u(Sk² + 2VGk) + 3.1uG² more. With 2VGk ≤ Sk² + G² that is no more than u(12.1Sk² + 10.1G²); so
+/// for bk + D², which has fewer terms. The bound is 16u(Sk² + G²): what doubles lost before, the ray's own error, ε <
+/// 24·2⁻⁵³ along its direction and 2ε(Vk + G) in f, and what underflow takes are nothing beside the rest, G being 2⁻²⁰
+/// or more. Where floats overflow, so does the bound.
 ///
-/// b is off by 4uVG, so b², rounded, by 9.1uV²G²; cD² by 3.1uSG²; their difference is rounded
-/// by 2uSG²: less than half of 32uSG², which leaves as much for what doubles lost, and for underflow, S being 2⁻⁶⁰ or
-/// more.
+/// b is off by 4uVG, so b², rounded, by 9.1uV²G²; cD² by 3.1uSG²; their difference is rounded by 2uSG²: less than half
+/// of 32uSG², which leaves as much for what doubles lost, and for underflow, S being 2⁻⁶⁰ or more.
 HWY_INLINE HWY_ATTR std::optional<QuickSphere> quick_sphere(const Grid& grid, const glassbox::Ray<double>& middle,
-                                                            const glassbox::Sphere<double>& sphere) {
+                                                            const glassbox::Sphere<double>& sphere, double G) {
     if (!grid.pinhole) return {};
     using glassbox::dot;
     const double by = grid.per_distance(), by_D = grid.per_direction();
     const glassbox::Vec3<double> v = by * (middle.P - sphere.C);
     const double r = by * sphere.r, v2 = dot(v, v), S = v2 + r * r, c = v2 - r * r;
-    const double G = by_D * (length(middle.D) + half_tile * (length(grid.right) + length(grid.up)));
     if (!(S > 0x1p-60 && S < 0x1p40 && std::abs(c) > 0x1p-40 * S && G > 0x1p-20)) return {};
     constexpr double bound = 0x1p-20 * (1 + 0x1p-10);
     return QuickSphere{static_cast<float>(c),
