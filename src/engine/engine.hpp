@@ -49,6 +49,10 @@ public:
     // At that scale:
 
     const std::vector<Sphere<double>>& scaled_spheres() const { return spheres_; }
+    Triangle<double> scaled_triangle(std::size_t surface) const {
+        const std::uint32_t place = place_[surface - spheres_.size()];
+        return blocks_.triangle(place / fan_out, place % fan_out);
+    }
     const Hierarchy& hierarchy() const { return hierarchy_; }
     /// One for each leaf of triangles, in their order; then those of loose ones and copies.
     const Blocks& blocks() const { return blocks_; }
@@ -74,10 +78,7 @@ public:
 
     // As the scene has them:
 
-    Triangle<double> triangle(std::size_t surface) const {
-        const std::uint32_t place = place_[surface - spheres_.size()];
-        return as_given(blocks_.triangle(place / fan_out, place % fan_out));
-    }
+    Triangle<double> triangle(std::size_t surface) const { return as_given(scaled_triangle(surface)); }
 
     /// Calls `use` with the sphere or the triangle of that number.
     template <class Use>

@@ -28,6 +28,7 @@ struct Sight {
     bool pinhole;
     float near_reach;
     bool some_beyond;  ///< of the engine's boxes lie not within that
+    double off_by;     ///< by how many pixels rounding may move a ray, or a point beside it, at most
 };
 
 /// The start of a tile's middle ray relative to the engine's middle, and its direction.
@@ -50,8 +51,9 @@ inline Bounds bounds(const Vec3<double>& n, const Vec3<double>& start, double vo
             static_cast<float>(d + wider)};
 }
 
-/// By how many pixels rounding may move a ray, or a point beside it.
-inline constexpr double off_by = 0.01;
+/// By how many pixels rounding may move a ray: in most views much less than the first of them, which is nothing beside
+/// a tile; and never more than the other.
+inline constexpr double usually_off_by = 0.01, most_off_by = 0.5;
 
 /// Nothing if rounding might move them more: the tile is then not to be traced as one.
 inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const MiddleRay& middle) {
@@ -64,7 +66,8 @@ inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const 
     // relatively by ε·n/volume, and so are dj and di, which are less than 8.
     const double by_ray = grid.ray_error / std::abs(volume);
     const double t_off = by_ray * size(n);
-    if (!(by_ray * (size(U) + size(R)) * size(D) + (grid.pinhole ? 8 * t_off : 0) < off_by / 2)) return {};
+    const double moved = by_ray * (size(U) + size(R)) * size(D) + (grid.pinhole ? 8 * t_off : 0);
+    if (!(moved < most_off_by / 2)) return {};
     if (grid.pinhole && !(t_off < 0x1p-22)) return {};
     const double reach = static_cast<double>(engine.near_reach());
     // Floats must not overflow: an infinity less another would be no number.
@@ -75,7 +78,8 @@ inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const 
                  bounds(cross(D, R), middle.P, volume, size(D) * size(R), reach, 0),
                  grid.pinhole,
                  engine.near_reach(),
-                 engine.around().reach() > engine.near_reach()};
+                 engine.around().reach() > engine.near_reach(),
+                 std::max(2 * moved, usually_off_by)};
 }
 
 /// What lies beyond this t lies behind something that is met at t: `bounds` and `sight` allow for 2⁻²², and a rounding

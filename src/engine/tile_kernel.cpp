@@ -67,8 +67,9 @@ HWY_INLINE HWY_ATTR Extent in_perspective(const Extent& times_t, const FanOfFloa
 
 /// Is one of the tile's columns, or rows, between the two? They are 0 to 7 pixels from the first; what rounding may
 /// move is allowed for twice, for the ray and for the box.
-HWY_INLINE HWY_ATTR Mask<FanOfFloats::Tag> holds_a_ray(const Extent& extent) {
-    constexpr auto slack = static_cast<float>(2 * off_by), first = static_cast<float>(half_tile);
+HWY_INLINE HWY_ATTR Mask<FanOfFloats::Tag> holds_a_ray(const Extent& extent, double off_by) {
+    constexpr auto first = static_cast<float>(half_tile);
+    const auto slack = static_cast<float>(2 * off_by);
     const FanOfFloats from = max(extent.from + (first - slack), 0.0f);
     const FanOfFloats to = min(extent.to + (first + slack), tile_side - 1.0f);
     return ceil(from) <= floor(to);
@@ -94,8 +95,11 @@ HWY_INLINE HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& si
             return sight.pinhole ? in_perspective(seen, t_least, t_most) : seen;
         };
         const auto ahead = (t_most >= 0.0f) & (t_least <= t_max);
-        t_least.store(entries + at);
-        met |= bits_of(ahead & (holds_a_ray(extent(sight.right)) & holds_a_ray(extent(sight.up)))) << at;
+        // Of boxes around the rays' start the smallest first: what is in them is nearest.
+        select(t_least < 0.0f, 1.0f / t_least, t_least).store(entries + at);
+        const auto some_ray =
+            holds_a_ray(extent(sight.right), sight.off_by) & holds_a_ray(extent(sight.up), sight.off_by);
+        met |= bits_of(ahead & some_ray) << at;
         if (!sight.some_beyond) continue;
         for (std::uint32_t beyond = beyond_reach(node, sight.near_reach, at) << at; beyond != 0; beyond &= beyond - 1) {
             const auto child = static_cast<std::uint32_t>(__builtin_ctz(beyond));
@@ -215,21 +219,51 @@ private:
         }
     };
 
+    /// Quarter by quarter, those in which it may be the nearest so far.
     HWY_ATTR void test_sphere(std::uint32_t surface) {
-        const SphereKeys keys = sphere_keys(grid_, middle_, engine_.scaled_spheres()[surface]);
+        const glassbox::Sphere<double>& sphere = engine_.scaled_spheres()[surface];
+        if (grid_.pinhole && longest_ == 0) {
+            find_squares();
+            longest_ = longest_direction(grid_, middle_);
+        }
+        const std::optional<QuickSphere> quick = quick_sphere(grid_, middle_, sphere, longest_);
         for (int q = 0; q < quarters; ++q) {
-            Floats least = std::numeric_limits<float>::infinity();
             const auto begin = static_cast<std::size_t>(q * quarter_size);
-            for (std::size_t i = begin; i < begin + quarter_size; i += Floats::count()) {
-                Best best = Best::load(*this, i);
+            if (quick && !may_be_nearer(*quick, begin)) continue;
+            const SphereKeys keys = sphere_keys(grid_, middle_, sphere, begin);
+            Floats least = std::numeric_limits<float>::infinity();
+            for (std::size_t i = 0; i < quarter_size; i += Floats::count()) {
+                Best best = Best::load(*this, begin + i);
                 const auto is = [&](const float* marks) HWY_ATTR { return Floats::load(marks + i) > 0.0f; };
                 const Floats low = Floats::load(keys.low + i), high = Floats::load(keys.high + i);
                 const auto live = is(keys.live) & (high >= best.low);
                 best.take({live, live & is(keys.sure), low, high}, surface);
-                best.store(*this, i);
+                best.store(*this, begin + i);
                 least = min(least, best.low);
             }
             least_keys_[q] = least_of_all(least);
+        }
+    }
+
+    /// Whether, of the rays of the quarter that begins there, some may meet a sphere before all that they have met.
+    HWY_ATTR bool may_be_nearer(const QuickSphere& sphere, std::size_t begin) const {
+        for (std::size_t i = begin; i < begin + quarter_size; i += Floats::count()) {
+            const Floats dj = Floats::load(offsets.right + i), di = Floats::load(offsets.up + i);
+            const Floats D2 = Floats::load(squares_ + i), key = Floats::load(key_low_ + i);
+            if (!none(!missed_or_behind(sphere, dj, di, D2, key))) return true;
+        }
+        return false;
+    }
+
+    /// D² of all rays, for `missed_or_behind`.
+    HWY_ATTR void find_squares() {
+        const Vec3<Doubles> middle = broadcast(grid_.direction_scale * middle_.D);
+        const Vec3<Doubles> right = broadcast(grid_.direction_scale * grid_.right),
+                            up = broadcast(grid_.direction_scale * grid_.up);
+        for (std::size_t i = 0; i < tile_size; i += Doubles::count()) {
+            const Vec3<Doubles> D =
+                middle + load_as_doubles(offsets.right + i) * right + load_as_doubles(offsets.up + i) * up;
+            store_as_floats(dot(D, D), squares_ + i);
         }
     }
 
@@ -314,6 +348,8 @@ private:
     glassbox::Ray<double> middle_;
     float least_key_ = 0, least_keys_[quarters];
     bool given_up_ = false;  ///< the rays are to be traced one by one
+    alignas(64) float squares_[tile_size];
+    double longest_ = 0;
 };
 
 HWY_ATTR void TraceTile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile) {

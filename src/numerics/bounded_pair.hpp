@@ -36,6 +36,8 @@ public:
 
     friend BoundedPair operator*(const BoundedPair& a, const BoundedPair& b) {
         if (a.is_exactly_zero() || b.is_exactly_zero()) return {};
+        if (b.is_a_double()) return a.times(b.high_);
+        if (a.is_a_double()) return b.times(a.high_);
         const double product = a.high_ * b.high_;
         const double first = a.high_ * b.low_, second = a.low_ * b.high_, middle = first + second;
         const double rest = std::fma(a.high_, b.high_, -product) + middle;
@@ -106,8 +108,16 @@ private:
         return {high, lost_in_sum(large, small, high), error == 0 ? 0 : Bounded::up(error)};
     }
 
+    /// The same as the product of two pairs, where what would be 0 is left out.
+    BoundedPair times(double exact) const {
+        const double product = high_ * exact, second = low_ * exact, rest = std::fma(high_, exact, -product) + second;
+        const double rounding = u * (2 * std::abs(second) + std::abs(rest));
+        return pair(product, rest, Bounded::up(Bounded::up(std::abs(exact)) * error_ + rounding) + Bounded::underflow);
+    }
+
     double size() const { return Bounded::up(std::abs(high_) + std::abs(low_)); }
-    bool is_exactly_zero() const { return high_ == 0 && low_ == 0 && error_ == 0; }
+    bool is_a_double() const { return low_ == 0 && error_ == 0; }
+    bool is_exactly_zero() const { return high_ == 0 && is_a_double(); }
 
     double high_ = 0, low_ = 0, error_ = 0;
 };

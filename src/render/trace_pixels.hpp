@@ -32,9 +32,8 @@ struct Pixels {
         const Ray<double> ray = pixel_ray(view, x, y, height);
         Probe probe;
         if (surface == engine::no_surface) return keep(x, y, ray, tracer.background, probe);
-        // A sphere's normal depends on the exact point; a triangle's is the same everywhere.
         const bool is_sphere = surface < tracer.search.engine().sphere_count();
-        const double its_t = is_sphere ? tracer.search.predicates().t_of(ray, surface) : t;
+        const double its_t = is_sphere ? tracer.search.predicates().t_for_normal(ray, surface, t) : t;
         keep(x, y, ray, tracer.color_of(ray, {surface, its_t}, probe), probe);
     }
 };

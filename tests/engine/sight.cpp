@@ -84,14 +84,15 @@ Ray<double> middle_ray(const engine::Grid& grid, int column, int row) {
 }
 
 /// Each of a tile's true rays, as they are traced one by one, is where the tile takes it to be: dj and di pixels from
-/// its middle ray, but for off_by; and in a pinhole's view its t are the tile's, but for 2⁻²² of them.
+/// its middle ray, but for its off_by; and in a pinhole's view its t are the tile's, but for 2⁻²² of them.
 void check_rays(SightCounts& counts, const engine::Engine& engine, const View& view, int width, int height, int column,
                 int row) {
     ++counts.tried;
     const std::optional<engine::Grid> grid = grid_for(view, width, height, engine);
     if (!grid) return;
     const auto [start, D] = middle_ray(*grid, column, row);
-    if (!engine::sight(engine, *grid, {start - engine.middle(), D})) return;
+    const std::optional<engine::Sight> seen = engine::sight(engine, *grid, {start - engine.middle(), D});
+    if (!seen) return;
     ++counts.seen;
     for (int i = 0; i < engine::tile_side; ++i)
         for (int j = 0; j < engine::tile_side; ++j) {
@@ -104,7 +105,7 @@ void check_rays(SightCounts& counts, const engine::Engine& engine, const View& v
             const Place found = place(y, exact(D), exact(grid->right), exact(grid->up));
             const Exact dj = grid->pinhole ? found.right / found.t : found.right;
             const Exact di = grid->pinhole ? found.up / found.t : found.up;
-            counts.wrong += !is_near(dj, j - half, engine::off_by) || !is_near(di, i - half, engine::off_by) ||
+            counts.wrong += !is_near(dj, j - half, seen->off_by) || !is_near(di, i - half, seen->off_by) ||
                             (grid->pinhole && !is_near(found.t, 1, 0x1p-22));
         }
 }
@@ -124,7 +125,7 @@ TEST_CASE("sight: t and the pixel of every point are between its bounds") {
 }
 
 // A grid's ray_error is at least 12u of the numbers that its rays are made of: where a product of pixels could
-// underflow, it alone moves rays by more than off_by, and there is no sight.
+// underflow, it alone moves rays by more than most_off_by, and there is no sight.
 TEST_CASE("sight: views of all magnitudes give none, or one whose bounds hold") {
     test::Doubles random(12);
     SightCounts counts;

@@ -133,6 +133,62 @@ TEST_CASE("spheres and triangles that cross, touch and hide each other") {
     }
 }
 
+/// A sphere of radius 1 that fills about half of the picture, through a lens that is the longer the farther off it is.
+Scene far_ball(double off) {
+    Scene scene;
+    const Point centre = off * test::odd_direction;
+    scene.spheres.push_back({centre, 1, {}});
+    Scene seen = looked_at(scene, {0, 0, 0}, centre, size);
+    std::get<PinholeView>(seen.view).field_of_view *= 3 / length(centre);
+    return seen;
+}
+
+// At 1e8 radii, what doubles lose of a sphere's distance is as much as 1e-8 of its radius, and of its squares all of
+// the radius.
+TEST_CASE("spheres far off") {
+    for (const double off : {1e2, 1e4, 1e6, 1e8, 1e9, 1e10}) {
+        const Counts counts = check("far off", far_ball(off), false);
+        CHECK(counts.hits > counts.pixels / 3);
+        CHECK(counts.told > counts.pixels * 9 / 10);
+    }
+    for (const double off : {1e11, 1e12, 1e13}) check("farther off", far_ball(off), false);
+}
+
+TEST_CASE("many spheres in nearly one place, and around the eye") {
+    Rays rays(6);
+    for (const double apart : {1e-1, 1e-3, 1e-6, 1e-12}) {
+        Scene scene;
+        for (int k = 0; k < 60; ++k) scene.spheres.push_back({apart * rays.anywhere(), 1, {}});
+        const Counts counts = check("crowded", looked_at(scene, {0, -4, 0}, {0, 0, 0}, size));
+        if (apart > 1e-5) CHECK(counts.told > counts.pixels * 8 / 10);  // nearer to each other, floats do not tell
+        check("crowded, from inside", looked_at(scene, {0.1, 0, 0.2}, {1, 1, 0}, size));
+        check("crowded, from the rim", looked_at(scene, {0, 0, 1}, {0.1, 1, 0}, size));
+    }
+    Scene concentric;
+    for (int k = 1; k <= 100; ++k) concentric.spheres.push_back({{0, 0, 0}, 0.01 * k, {}});
+    for (const Point& eye : {Point{0, 0, 0}, {0, 0, 0.5}, {0, 0.3, 0.805}, {0, 0, 1}, {0, 0, 5}}) {
+        const Counts counts = check("concentric", looked_at(concentric, eye, eye + Point{0.3, -1, -0.1}, size));
+        const bool on_a_sphere = eye == Point{0, 0, 0.5} || eye == Point{0, 0, 1};  // which rays then start inside?
+        if (!on_a_sphere) CHECK(counts.told > counts.pixels / 2);
+    }
+}
+
+TEST_CASE("spheres of all sizes, some of them around the eye") {
+    Rays rays(7);
+    for (int i = 0; i < 60 / test::share; ++i) {
+        Scene scene;
+        const int span = static_cast<int>(rays.random.below(9));
+        const auto any_size = [&] { return std::pow(10, 2 * span * (rays.random.fraction() - 0.5)); };
+        for (int k = 0; k < 30; ++k) {
+            const Point at = any_size() * rays.anywhere();
+            scene.spheres.push_back({at, any_size() * (0.1 + rays.random.fraction()), {}});
+            if (k % 3 == 0) scene.triangles.push_back({{at, at + rays.anywhere(), at + rays.anywhere()}, {}});
+        }
+        check("all sizes", looked_at(scene, any_size() * rays.anywhere(), {0, 0, 0}, size), false);
+        check("all sizes in parallel", from_above(scene, {0, 0, 0}, rays.anywhere(), any_size(), size), false);
+    }
+}
+
 // The ground runs away from a tile's rays, so that all of them have met it before the boxes of the things just before
 // its far end are opened.
 TEST_CASE("small things just before what is far off") {

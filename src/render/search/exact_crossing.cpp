@@ -6,6 +6,7 @@
 #include <probe.hpp>
 
 #include "numerics/exact.hpp"
+#include "render/search/far_point.hpp"
 #include "render/search/surface_normal.hpp"
 
 namespace glassbox {
@@ -57,10 +58,13 @@ std::array<int, 3> exact_side_signs(const Ray<double>& ray, const Triangle<doubl
 }
 
 std::optional<Vec3<double>> exact_normal(const Ray<double>& ray, const Sphere<double>& sphere, const SphereRule& rule) {
+    const int e = std::ilogb(sphere.r);
+    if (const auto seen = far_point(ray, sphere))
+        return unit_normal(Sphere<double>{{}, 1}, std::ldexp(1.0, -e) * *seen);
     const std::optional<TrueT> t = exact_crossing(ray, sphere, rule);
     if (!t) return {};
     const Vec3<Exact> point = at(convert<Exact>(ray), t->exact()) - convert<Exact>(sphere.C);
-    const Vec3<double> seen = rounded_once(power_of_two(-std::ilogb(sphere.r)) * point);
+    const Vec3<double> seen = rounded_once(power_of_two(-e) * point);
     return unit_normal(Sphere<double>{{}, 1}, seen);
 }
 

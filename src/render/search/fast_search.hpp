@@ -113,8 +113,10 @@ public:
     /// To ask about single surfaces.
     const FilteredPredicates<EngineSurfaces>& predicates() const { return predicates_; }
 
+    /// A triangle's is the same at the engine's scale, where nothing overflows.
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
-        return predicates_.normal_at(ray, hit);
+        if (hit.surface < engine().sphere_count()) return predicates_.normal_at(ray, hit);
+        return predicates_.normal_at(ray, hit.t, engine().scaled_triangle(hit.surface));
     }
 
 private:

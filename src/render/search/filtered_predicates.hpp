@@ -103,18 +103,27 @@ public:
     /// The same, where it is known between which two t.
     template <class Probe>
     ProvenHit proven(const Ray<double>& ray, std::size_t surface, double nearest, double farthest, Probe& probe) const {
-        const Silent silent;
-        const Crossing<double> plain = store_.with_surface(surface, [&](const auto& shape) {
-            return is_filtered(shape) ? intersect(ray, shape, filtered_rule(shape), silent) : Crossing<double>{};
-        });
-        if (!plain.met) return *met(ray, surface, probe);
-        return {surface, {plain.t, not_bounded}, plain.t, nearest, farthest};
+        const std::optional<double> t =
+            store_.with_surface(surface, [&](const auto& shape) { return told_by_filter(ray, shape); });
+        if (!t) return *met(ray, surface, probe);
+        return {surface, {*t, not_bounded}, *t, nearest, farthest};
     }
 
     /// t of a surface that the ray meets, in double: the same whatever else the ray meets.
     double t_of(const Ray<double>& ray, std::size_t surface) const {
         const Silent silent;
         return met(ray, surface, silent)->told_t;
+    }
+
+    /// A t good enough for the normal of a surface that the ray is known to meet, `about` there: that which `met` would
+    /// tell of a sphere, unless `exact_normal` is asked anyway. A triangle's normal is the same everywhere.
+    double t_for_normal(const Ray<double>& ray, std::size_t surface, double about) const {
+        const std::optional<double> t = store_.with_surface(surface, [&](const auto& shape) -> std::optional<double> {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Triangle<double>>) return about;
+            else if (is_far_off(ray, shape)) return about;
+            else return told_by_filter(ray, shape);
+        });
+        return t ? *t : t_of(ray, surface);
     }
 
     /// The same hit, its t with a bound.
@@ -145,11 +154,13 @@ public:
 
     /// The unit normal where the ray meets a surface.
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
-        return with_rule(hit.surface, [&](const auto& shape, const auto& rule) {
-            if (loses_digits(ray, hit.t, shape))
-                if (const auto exact = exact_normal(ray, shape, rule.rule)) return *exact;
-            return glassbox::normal_at(ray, hit.t, shape);
-        });
+        return store_.with_surface(hit.surface, [&](const auto& shape) { return normal_at(ray, hit.t, shape); });
+    }
+    template <class Shape>
+    Vec3<double> normal_at(const Ray<double>& ray, double t, const Shape& shape) const {
+        if (loses_digits(ray, t, shape))
+            if (const auto exact = exact_normal(ray, shape, rule_for(shape).rule)) return *exact;
+        return glassbox::normal_at(ray, t, shape);
     }
 
 private:
@@ -244,6 +255,22 @@ private:
         });
     }
 
+    /// t of a surface that the ray surely meets, as `by_filter` tells it; nothing where that may not be sure.
+    std::optional<double> told_by_filter(const Ray<double>& ray, const Triangle<double>& triangle) const {
+        const Silent silent;
+        if (!is_filtered(triangle)) return {};
+        const Crossing<double> plain = intersect(ray, triangle, filtered_rule(triangle), silent);
+        return plain.met ? std::optional(plain.t) : std::nullopt;
+    }
+    std::optional<double> told_by_filter(const Ray<double>& ray, const Sphere<double>& sphere) const {
+        if (!is_filtered(sphere) || !is_of_ordinary_scale(ray, sphere)) return {};
+        const Silent silent;
+        DecidingNumbers numbers{silent, false};
+        const Crossing<double> plain = intersect(ray, sphere, filtered_rule(sphere), numbers);
+        const bool is_sure = plain.met && is_surely_met(ray, sphere, errors_for(ray, sphere), numbers.of_a_hit);
+        return is_sure ? std::optional(plain.t) : std::nullopt;
+    }
+
     /// By the bounds of this ray, whatever others the store has: so that t is told the same by all searches.
     template <class Shape, class Rule>
     Answer by_filter(const Ray<double>& ray, const Shape& shape, const Rule& rule, std::size_t surface) const {
@@ -293,10 +320,22 @@ private:
         });
     }
 
+    /// The usual rules are called by themselves, and not as one of several, so that all of their arithmetic becomes one
+    /// piece of code.
+    template <class Number, class Shape, class Rule>
+    [[gnu::flatten, gnu::noinline]] static Crossing<Number> crossing_in(const Ray<double>& ray, const Shape& shape,
+                                                                        const Rule& rule) {
+        const Silent silent;
+        const Ray<Number> its_ray = convert<Number>(ray);
+        const auto its_shape = convert<Number>(shape);
+        using Usual = decltype(filtered_rule(shape));
+        if (std::holds_alternative<Usual>(rule.rule)) return intersect(its_ray, its_shape, Usual{}, silent);
+        return intersect(its_ray, its_shape, rule, silent);
+    }
+
     template <class Number, class Shape, class Rule>
     static Answer by_running_bounds(const Ray<double>& ray, const Shape& shape, const Rule& rule, std::size_t surface) {
-        const Silent silent;
-        const Crossing<Number> crossing = intersect(convert<Number>(ray), convert<Number>(shape), rule, silent);
+        const Crossing<Number> crossing = crossing_in<Number>(ray, shape, rule);
         if (!possibly(crossing.met)) return {true, {}};
         if (!surely(crossing.met)) return {};
         return {true, hit_at(surface, to_bounded(crossing.t))};
@@ -342,18 +381,23 @@ private:
         double least, most;
     };
 
-    /// Between which t the ray meets a sphere, if it does so for sure.
+    /// Whether the ray meets a sphere for sure, by Stable's discriminant.
     ///
     /// Where Δ is surely positive and P surely outside, v² − r² > 0, (v·D)² = Δ + D²(v² − r²) is so far from 0 that v·D
     /// has the right sign, too: both roots lie on the side that it tells. Where P is surely inside, one root lies
-    /// ahead. Stable finds roots of the right signs in both cases; Textbook, which cancels, need not. No point of the
-    /// sphere is farther off than its centre and its radius together, nor nearer than they differ: | |v| − r | ≤ |tD| ≤
-    /// |v| + r.
+    /// ahead. Stable finds roots of the right signs in both cases; Textbook, which cancels, need not.
+    static bool is_surely_met(const Ray<double>& ray, const Sphere<double>& sphere, const filter::SphereErrors& errors,
+                              double discriminant) {
+        const Vec3<double> v = ray.P - sphere.C;
+        return discriminant > errors.discriminant && std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power;
+    }
+
+    /// Between which t the ray meets a sphere, if it does so for sure. No point of the sphere is farther off than its
+    /// centre and its radius together, nor nearer than they differ: | |v| − r | ≤ |tD| ≤ |v| + r.
     std::optional<Range> sure_range(const Ray<double>& ray, const Sphere<double>& sphere,
                                     const filter::SphereErrors& errors, double discriminant) const {
-        if (!is_filtered(sphere) || !(discriminant > errors.discriminant)) return {};
+        if (!is_filtered(sphere) || !is_surely_met(ray, sphere, errors, discriminant)) return {};
         const Vec3<double> v = ray.P - sphere.C;
-        if (!(std::abs(dot(v, v) - sphere.r * sphere.r) > errors.power)) return {};
         const double distance = length(v), per_D = 1 / length(ray.D);
         return Range{(std::abs(distance - sphere.r) - 0x1p-40 * (distance + sphere.r)) * per_D * (1 - 0x1p-40),
                      (distance + sphere.r) * per_D * (1 + 0x1p-40)};
@@ -409,8 +453,7 @@ private:
     /// t of a surface that the ray meets, if pairs are sure that it does: else they left open which root counts, too.
     std::optional<BoundedPair> t_in_pairs(const Ray<double>& ray, std::size_t surface) const {
         return with_rule(surface, [&](const auto& shape, const auto& rule) -> std::optional<BoundedPair> {
-            const Silent silent;
-            const auto crossing = intersect(convert<BoundedPair>(ray), convert<BoundedPair>(shape), rule, silent);
+            const Crossing<BoundedPair> crossing = crossing_in<BoundedPair>(ray, shape, rule);
             if (!surely(crossing.met)) return {};
             return crossing.t;
         });

@@ -19,13 +19,21 @@ struct AtOrdinaryScale {
     double per_t;
 };
 
+/// Whether they are so as they are.
+template <class Shape>
+bool is_of_ordinary_scale(const Ray<double>& ray, const Shape& shape) {
+    const auto is_ordinary = [](double size) { return size > 0x1p-60 && size < 0x1p60; };
+    return is_ordinary(std::max(greatest_coordinate(ray.P), greatest_coordinate(shape))) &&
+           is_ordinary(greatest_coordinate(ray.D));
+}
+
 /// Nothing if they are of ordinary size as they are, or cannot be multiplied so.
 template <class Shape>
 std::optional<AtOrdinaryScale<Shape>> at_ordinary_scale(const Ray<double>& ray, const Shape& shape) {
-    const auto is_ordinary = [](double size) { return size > 0x1p-60 && size < 0x1p60; };
+    if (is_of_ordinary_scale(ray, shape)) return {};
     const double length = std::max(greatest_coordinate(ray.P), greatest_coordinate(shape));
     const double speed = greatest_coordinate(ray.D);
-    if ((is_ordinary(length) && is_ordinary(speed)) || !(length > 0 && speed > 0)) return {};
+    if (!(length > 0 && speed > 0)) return {};
     const int e = std::ilogb(length), d = std::ilogb(speed);
     if (std::max(std::abs(e), std::abs(d)) > 1000 || std::abs(e - d) > 1000) return {};
     const double by = std::ldexp(1, -e), by_d = std::ldexp(1, -d);

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
@@ -10,13 +11,19 @@
 
 namespace glassbox {
 
+/// std::ilogb, which takes ten times as long, of a number that is not negative.
+inline int exponent(double x) {
+    const auto bits = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52);
+    return bits > 0 && bits < 0x7FF ? bits - 0x3FF : std::ilogb(x);
+}
+
 /// The exponent e of a vector's largest coordinate, as in 2ᵉ; FP_ILOGB0 for the zero vector, FP_ILOGBNAN if it is not
 /// finite.
 template <class Real>
 int exponent(const Vec3<Real>& a) {
-    const auto of = [](const Real& x) { return std::ilogb(static_cast<double>(x)); };
+    const auto size = [](const Real& x) { return std::abs(static_cast<double>(x)); };
     if (!is_finite(convert<double>(a))) return FP_ILOGBNAN;
-    return std::max({of(a.x), of(a.y), of(a.z)});
+    return exponent(std::max({size(a.x), size(a.y), size(a.z)}));
 }
 
 /// 2ⁿ a, in two steps, because 2ⁿ alone may overflow or underflow.
@@ -82,12 +89,16 @@ inline double largest(const Vec3<double>& a) { return std::max({std::abs(a.x), s
 
 // Whether `normal_at` may have lost most of its digits, or all: then `exact_normal` has them.
 
-/// The point is off by what P − c is rounded by, or t; more than 2⁻²³ of the radius is too much. t has not all its
-/// digits where it overflows or is subnormal, nor has tD for a sphere so small.
+/// The point is off by what P − c is rounded by, or t; more than 2⁻²³ of the radius is too much.
+inline bool is_far_off(const Ray<double>& ray, const Sphere<double>& sphere) {
+    return !(largest(ray.P - sphere.C) <= 0x1p30 * sphere.r);
+}
+
+/// t has not all its digits where it overflows or is subnormal, nor has tD for a sphere so small.
 inline bool loses_digits(const Ray<double>& ray, double t, const Sphere<double>& sphere) {
-    constexpr double least = 0x1p-960, far = 0x1p30;
+    constexpr double least = 0x1p-960;
     const bool has_all = std::isfinite(t) && std::abs(t) > least && sphere.r > least;
-    return !(has_all && largest(ray.P - sphere.C) <= far * sphere.r);
+    return !has_all || is_far_off(ray, sphere);
 }
 
 /// For slivers: where the sine of the angle between two edges is below about 2⁻²⁰.
