@@ -1,5 +1,6 @@
 #include "engine/sight.hpp"
 #include "engine/tile.hpp"
+#include "engine/tile_rays.hpp"
 #include "engine/visits.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -26,7 +27,6 @@ struct Offsets {
     }
 };
 inline constexpr Offsets offsets;
-inline constexpr double half_tile = (tile_side - 1) * 0.5;
 /// From a tile's middle to that of a quarter, and from there to its rays.
 inline constexpr float to_quarter = quarter_side * 0.5f, half_quarter = (quarter_side - 1) * 0.5f;
 inline constexpr int quarters = 4;
@@ -180,7 +180,7 @@ private:
             const auto [first, count] = engine_.hierarchy().sphere_leaves[Child::index(leaf)];
             for (std::uint32_t i = 0; i < count; ++i) test_sphere(engine_.hierarchy().surfaces[first + i]);
         } else {
-            test_triangles(engine_.blocks()[Child::index(leaf)]);
+            test_triangles(Child::index(leaf));
         }
         const float before = least_key_;
         least_key_ = std::min(std::min(least_keys_[0], least_keys_[1]), std::min(least_keys_[2], least_keys_[3]));
@@ -267,27 +267,25 @@ private:
         }
     }
 
-    HWY_ATTR void test_triangles(const Block& block) {
+    HWY_ATTR void test_triangles(std::uint32_t number) {
+        const Block& block = engine_.blocks()[number];
         const TileRays rays = tile_rays(grid_, middle_, block);
-        if (!are_within_floats(rays)) {
+        if (!rays.are_within_floats()) {
             given_up_ = true;
             return;
         }
-        Triangles triangles = set_up(rays, block, least_key_);
+        Triangles triangles = set_up(rays, block, least_key_, [&](std::uint32_t at) {
+            return precise_key(rays, block, engine_.blocks().triangle(number, at), middle_.P);
+        });
         if (triangles.left == 0) return;
         std::uint32_t in_quarter[quarters];
         sort_out(triangles, in_quarter);
         for (int q = 0; q < quarters; ++q)
             if (in_quarter[q] != 0) draw(triangles, in_quarter[q], block, q);
         for (std::uint32_t rest = triangles.unoriented; rest != 0; rest &= rest - 1) {
-            turn_over(triangles, static_cast<std::size_t>(__builtin_ctz(rest)));
+            triangles.turn_over(static_cast<std::size_t>(__builtin_ctz(rest)));
             for (int q = 0; q < quarters; ++q) draw(triangles, rest & (~rest + 1), block, q);
         }
-    }
-
-    /// Whether floats neither overflow nor underflow in what they are held against.
-    static bool are_within_floats(const TileRays& rays) {
-        return most_of(rays.p) < 0x1p60 && rays.key_factor < 0x1p50 && rays.key_factor > 0x1p-60;
     }
 
     /// Which of the triangles rays of a quarter may hit, before all that was met there: by the greatest numbers there.

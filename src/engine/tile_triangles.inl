@@ -26,8 +26,27 @@ struct Triangles {
     alignas(32) float sure[fan_out];
     Linear key;
     alignas(32) float key_error[fan_out];
-    /// A bit each: those that some ray may hit, not behind all that was met; and those that may face either way.
-    std::uint32_t left = 0, unoriented = 0;
+    /// A bit each: those that some ray may hit, not behind all that was met; those that may face either way; and those
+    /// whose key floats hardly tell.
+    std::uint32_t left = 0, unoriented = 0, doubtful = 0;
+
+    /// Looks at a triangle from its other side: s + error becomes −s + error.
+    void turn_over(std::size_t at) {
+        for (Linear& of : edge) {
+            of.value[at] = sure[at] - of.value[at];
+            of.right[at] = -of.right[at];
+            of.up[at] = -of.up[at];
+        }
+    }
+
+    /// Takes the key of a doubtful triangle as doubles have it. `was_negative`: as floats had its denominator.
+    void take(std::size_t at, const PreciseKey& precise, bool was_negative) {
+        key.value[at] = static_cast<float>(precise.value);
+        key.right[at] = static_cast<float>(precise.right);
+        key.up[at] = static_cast<float>(precise.up);
+        key_error[at] = static_cast<float>(precise.error);
+        if (precise.is_negative != was_negative) turn_over(at);
+    }
 };
 
 /// The same number in vectors, while it is being found.
@@ -54,20 +73,8 @@ struct Line {
     }
 };
 
-/// Three vectors that make one that is linear within the tile.
-template <class Vector>
-struct LinearVector {
-    Vector value, right, up;
-};
-
 HWY_INLINE HWY_ATTR Line dot(const LinearVector<FanOfVectors>& v, const FanOfVectors& by) {
     return {dot(v.value, by), dot(v.right, by), dot(v.up, by)};
-}
-
-/// A bound on the sum of the coordinates' sizes, anywhere in the tile.
-inline double most_of(const LinearVector<glassbox::Vec3<double>>& v) {
-    const auto size = [](const glassbox::Vec3<double>& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); };
-    return size(v.value) + half_tile * (size(v.right) + size(v.up));
 }
 
 HWY_INLINE HWY_ATTR FanOfVectors in_floats(const glassbox::Vec3<double>& a) {
@@ -78,42 +85,7 @@ HWY_INLINE HWY_ATTR LinearVector<FanOfVectors> in_floats(const LinearVector<glas
     return {in_floats(v.value), in_floats(v.right), in_floats(v.up)};
 }
 
-/// The tile's rays as they are held against a block: in its units, and directions about 1 long.
-struct TileRays {
-    bool pinhole;
-    LinearVector<glassbox::Vec3<double>> D;      ///< their directions
-    LinearVector<glassbox::Vec3<double>> p;      ///< the block's origin as seen from their starts
-    LinearVector<glassbox::Vec3<double>> p_x_D;  ///< p × D
-    double key_factor;                           ///< of n/d: see key_quotient
-    /// How far the rays may be off, summed over the axes: their directions in a pinhole's view, else their starts.
-    double direction_error, start_error;
-};
-
-HWY_INLINE HWY_ATTR TileRays tile_rays(const Grid& grid, const glassbox::Ray<double>& middle, const Block& block) {
-    const auto unit = static_cast<double>(block.unit), per_unit = static_cast<double>(block.per_unit);
-    const glassbox::Vec3<double> origin{block.origin[0], block.origin[1], block.origin[2]};
-    const glassbox::Vec3<double> p = per_unit * (origin - middle.P), D = grid.direction_scale * middle.D;
-    if (grid.pinhole) {
-        const glassbox::Vec3<double> right = grid.direction_scale * grid.right, up = grid.direction_scale * grid.up;
-        return {true,
-                {D, right, up},
-                {p, {}, {}},
-                {cross(p, D), cross(p, right), cross(p, up)},
-                grid.key_of_t / grid.direction_scale * per_unit,
-                grid.direction_scale * grid.ray_error,
-                0};
-    }
-    const glassbox::Vec3<double> right = -per_unit * grid.right, up = -per_unit * grid.up;
-    return {false,
-            {D, {}, {}},
-            {p, right, up},
-            {cross(p, D), cross(right, D), cross(up, D)},
-            grid.key_of_t * grid.direction_scale * unit,
-            0,
-            per_unit * grid.ray_error};
-}
-
-/// The same rays in floats.
+/// A tile's rays in floats.
 struct RaysInFloats {
     LinearVector<FanOfVectors> D, p, p_x_D;
 
@@ -188,27 +160,31 @@ HWY_INLINE HWY_ATTR KeyQuotient key_quotient(const TileRays& rays, const RaysInF
 struct Key {
     Line line;
     FanOfFloats error;
-    Mask<FanOfFloats::Tag> oriented;  ///< whether the sign of d is sure, and so which way the triangle faces
+    Mask<FanOfFloats::Tag> doubtful;  ///< whether d may be off by more than a part in 256
 };
 
-/// n/d with errors N and M < |d|/4 is off by (N + |n/d| M)/(|d| − M) at most, and 12 roundings come to it.
+/// n/d with errors N and M < |d|/256 is off by (N + |n/d| M)/(|d| − M) at most, and 12 roundings come to it.
 HWY_INLINE HWY_ATTR Key key_line(const KeyQuotient& quotient) {
-    constexpr float u = 0x1p-24f, larger = 1.34f, tiny = 0x1p-110f;
+    constexpr float u = 0x1p-24f, larger = 1 + 0x1p-7f, tiny = 0x1p-110f;
     const auto& [n, N, d, M] = quotient;
     const FanOfFloats inverse = 1.0f / d, doubt = abs(inverse) * M;
     const Line key = inverse * n;
     const FanOfFloats error = (abs(inverse) * N + key.size() * (doubt + 12 * u)) * larger + tiny;
-    return {key, error, doubt < 0.25f};
+    return {key, error, !(doubt < 0x1p-8f)};
 }
 
 /// What the rays need to know of the triangles of a block. Whatever begins behind `least_key` counts as missed.
 ///
 /// Where the sign of the key's denominator is sure, the side products must have it, too. Where it is not, they may have
-/// either, and what is possible is not told: such triangles are seen edge-on, or from their own plane.
-HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, float least_key) {
+/// either, and what is possible is not told: such triangles are seen edge-on, or from their own plane. `precise(at)` is
+/// asked where floats do not tell.
+template <class Precise>
+HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, float least_key,
+                                     const Precise& precise) {
     const TileErrors errors(rays);
     const RaysInFloats seen(rays);
     Triangles result;
+    std::uint32_t negative = 0;
     for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
         const auto corner = [&](const float(&of)[3][fan_out]) HWY_ATTR -> FanOfVectors {
             return {FanOfFloats::load(of[0] + at), FanOfFloats::load(of[1] + at), FanOfFloats::load(of[2] + at)};
@@ -233,26 +209,23 @@ HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, f
         (error * (2 + 0x1p-20f)).store(result.sure + at);
         key.line.store(at, result.key);
         key.error.store(result.key_error + at);
-        result.unoriented |= bits_of(!key.oriented) << at;
+        result.doubtful |= bits_of(key.doubtful) << at;
+        negative |= bits_of(sign < 0.0f) << at;
         result.left |= bits_of(left) << at;
+    }
+    const std::uint32_t all = (1u << block.count) - 1;
+    result.doubtful &= all;
+    result.left = (result.left & all) | result.doubtful;
+    for (std::uint32_t rest = result.doubtful; rest != 0; rest &= rest - 1) {
+        const auto at = static_cast<std::uint32_t>(__builtin_ctz(rest));
+        const PreciseKey key = precise(at);
+        if (key.oriented) result.take(at, key, (negative >> at & 1) != 0);
+        else result.unoriented |= 1u << at;
     }
     for (std::uint32_t rest = result.unoriented; rest != 0; rest &= rest - 1) {
         const int at = __builtin_ctz(rest);
         result.key.value[at] = result.key.right[at] = result.key.up[at] = 0;
         result.key_error[at] = std::numeric_limits<float>::infinity();
     }
-    result.left |= result.unoriented;
-    const std::uint32_t all = (1u << block.count) - 1;
-    result.left &= all;
-    result.unoriented &= result.left;
     return result;
-}
-
-/// Looks at a triangle from its other side: s + error becomes −s + error.
-inline void turn_over(Triangles& triangles, std::size_t at) {
-    for (Linear& edge : triangles.edge) {
-        edge.value[at] = triangles.sure[at] - edge.value[at];
-        edge.right[at] = -edge.right[at];
-        edge.up[at] = -edge.up[at];
-    }
 }
