@@ -9,7 +9,7 @@
 namespace glassbox::engine {
 
 /// Pixels on a side of a tile, whose rays are traced together.
-inline constexpr int tile_side = 8;
+inline constexpr int tile_side = 16;
 inline constexpr int tile_size = tile_side * tile_side;
 
 /// The rays of a picture, and how exactly they lie where they should.
@@ -56,15 +56,17 @@ std::optional<Grid> grid(const Vec3<double>& eye, const ViewingPlane<double>& pl
 inline constexpr std::uint32_t no_surface = 0xFFFFFFFF;  ///< none is met, for sure
 inline constexpr std::uint32_t not_told = 0xFFFFFFFE;    ///< bounds do not tell: trace this ray by itself
 
-/// A tile's rays are kept quarter by quarter, so that small triangles are met by few vectors of them.
-inline constexpr int quarter_side = 4;
-inline constexpr int quarter_size = quarter_side * quarter_side;
+/// A tile's rays are kept part by part, so that small triangles are met by few vectors of them.
+inline constexpr int part_side = 4;
+inline constexpr int part_size = part_side * part_side;
+inline constexpr int parts_across = tile_side / part_side;
+inline constexpr int parts = parts_across * parts_across;
 
 /// Where the ray is kept that is `x` columns and `y` rows from the tile's first.
 constexpr std::uint32_t place_in_tile(std::uint32_t x, std::uint32_t y) {
-    constexpr std::uint32_t side = quarter_side;
-    const std::uint32_t quarter = y / side * 2 + x / side;
-    return quarter * quarter_size + y % side * side + x % side;
+    constexpr std::uint32_t side = part_side;
+    const std::uint32_t part = y / side * parts_across + x / side;
+    return part * part_size + y % side * side + x % side;
 }
 
 /// What a tile's rays meet first. Where it is a surface, at about this t: the engine's, see Grid::t_scale.

@@ -27,9 +27,8 @@ struct Offsets {
     }
 };
 inline constexpr Offsets offsets;
-/// From a tile's middle to that of a quarter, and from there to its rays.
-inline constexpr float to_quarter = quarter_side * 0.5f, half_quarter = (quarter_side - 1) * 0.5f;
-inline constexpr int quarters = 4;
+/// From a tile's middle to that of its first part, and from the middle of a part to its rays.
+inline constexpr float to_first_part = (tile_side - part_side) * 0.5f, half_part = (part_side - 1) * 0.5f;
 
 #include "engine/sphere_roots.inl"
 #include "engine/tile_sphere.inl"
@@ -183,7 +182,7 @@ private:
             test_triangles(Child::index(leaf));
         }
         const float before = least_key_;
-        least_key_ = std::min(std::min(least_keys_[0], least_keys_[1]), std::min(least_keys_[2], least_keys_[3]));
+        least_key_ = *std::min_element(std::begin(least_keys_), std::end(least_keys_));
         return least_key_ > before;
     }
 
@@ -219,7 +218,7 @@ private:
         }
     };
 
-    /// Quarter by quarter, those in which it may be the nearest so far.
+    /// Part by part, those in which it may be the nearest so far.
     HWY_ATTR void test_sphere(std::uint32_t surface) {
         const glassbox::Sphere<double>& sphere = engine_.scaled_spheres()[surface];
         if (grid_.pinhole && longest_ == 0) {
@@ -227,12 +226,12 @@ private:
             longest_ = longest_direction(grid_, middle_);
         }
         const std::optional<QuickSphere> quick = quick_sphere(grid_, middle_, sphere, longest_);
-        for (int q = 0; q < quarters; ++q) {
-            const auto begin = static_cast<std::size_t>(q * quarter_size);
+        for (int q = 0; q < parts; ++q) {
+            const auto begin = static_cast<std::size_t>(q * part_size);
             if (quick && !may_be_nearer(*quick, begin)) continue;
             const SphereKeys keys = sphere_keys(grid_, middle_, sphere, begin);
             Floats least = std::numeric_limits<float>::infinity();
-            for (std::size_t i = 0; i < quarter_size; i += Floats::count()) {
+            for (std::size_t i = 0; i < part_size; i += Floats::count()) {
                 Best best = Best::load(*this, begin + i);
                 const auto is = [&](const float* marks) HWY_ATTR { return Floats::load(marks + i) > 0.0f; };
                 const Floats low = Floats::load(keys.low + i), high = Floats::load(keys.high + i);
@@ -245,9 +244,9 @@ private:
         }
     }
 
-    /// Whether, of the rays of the quarter that begins there, some may meet a sphere before all that they have met.
+    /// Whether, of the rays of the part that begins there, some may meet a sphere before all that they have met.
     HWY_ATTR bool may_be_nearer(const QuickSphere& sphere, std::size_t begin) const {
-        for (std::size_t i = begin; i < begin + quarter_size; i += Floats::count()) {
+        for (std::size_t i = begin; i < begin + part_size; i += Floats::count()) {
             const Floats dj = Floats::load(offsets.right + i), di = Floats::load(offsets.up + i);
             const Floats D2 = Floats::load(squares_ + i), key = Floats::load(key_low_ + i);
             if (!none(!missed_or_behind(sphere, dj, di, D2, key))) return true;
@@ -278,43 +277,59 @@ private:
             return precise_key(rays, block, engine_.blocks().triangle(number, at), middle_.P);
         });
         if (triangles.left == 0) return;
-        std::uint32_t in_quarter[quarters];
-        sort_out(triangles, in_quarter);
-        for (int q = 0; q < quarters; ++q)
-            if (in_quarter[q] != 0) draw(triangles, in_quarter[q], block, q);
+        std::uint32_t in_part[parts];
+        sort_out(triangles, in_part);
+        for (int q = 0; q < parts; ++q)
+            if (in_part[q] != 0) draw(triangles, in_part[q], block, q);
         for (std::uint32_t rest = triangles.unoriented; rest != 0; rest &= rest - 1) {
             triangles.turn_over(static_cast<std::size_t>(__builtin_ctz(rest)));
-            for (int q = 0; q < quarters; ++q) draw(triangles, rest & (~rest + 1), block, q);
+            for (int q = 0; q < parts; ++q) draw(triangles, rest & (~rest + 1), block, q);
         }
     }
 
-    /// Which of the triangles rays of a quarter may hit, before all that was met there: by the greatest numbers there.
-    HWY_ATTR void sort_out(const Triangles& triangles, std::uint32_t (&in_quarter)[quarters]) const {
-        std::fill(std::begin(in_quarter), std::end(in_quarter), 0u);
+    /// What is linear in the tile where it is greatest in a part: to be asked row by row, and then along the row.
+    struct GreatestInParts {
+        FanOfFloats at_first, right, up;
+
+        HWY_INLINE HWY_ATTR GreatestInParts(const Linear& linear, std::size_t at)
+            : right(FanOfFloats::load(linear.right + at)), up(FanOfFloats::load(linear.up + at)) {
+            at_first = FanOfFloats::load(linear.value + at) + (abs(right) + abs(up)) * half_part;
+        }
+        HWY_INLINE HWY_ATTR FanOfFloats in_row(int y) const {
+            return multiply_add(up, static_cast<float>(y * part_side) - to_first_part, at_first);
+        }
+        HWY_INLINE HWY_ATTR FanOfFloats in_part(const FanOfFloats& row, int x) const {
+            return multiply_add(right, static_cast<float>(x * part_side) - to_first_part, row);
+        }
+    };
+
+    /// Which of the triangles rays of a part may hit, before all that was met there: by the greatest numbers there.
+    HWY_ATTR void sort_out(const Triangles& triangles, std::uint32_t (&in_part)[parts]) const {
+        std::fill(std::begin(in_part), std::end(in_part), 0u);
         for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
-            const auto greatest = [&](const Linear& linear, int q) HWY_ATTR {
-                const FanOfFloats right = FanOfFloats::load(linear.right + at), up = FanOfFloats::load(linear.up + at);
-                const FanOfFloats right2 = right * to_quarter, up2 = up * to_quarter;
-                const FanOfFloats value = FanOfFloats::load(linear.value + at);
-                const FanOfFloats spread = (abs(right) + abs(up)) * half_quarter;
-                const FanOfFloats across = q % 2 == 0 ? value - right2 : value + right2;
-                return (q / 2 == 0 ? across - up2 : across + up2) + spread;
-            };
-            for (int q = 0; q < quarters; ++q) {
-                auto met = greatest(triangles.key, q) + FanOfFloats::load(triangles.key_error + at) >= least_keys_[q];
-                for (const Linear& edge : triangles.edge) met = met & (greatest(edge, q) >= 0.0f);
-                in_quarter[q] |= bits_of(met) << at;
+            const GreatestInParts a(triangles.edge[0], at), b(triangles.edge[1], at), c(triangles.edge[2], at),
+                key(triangles.key, at);
+            const FanOfFloats key_error = FanOfFloats::load(triangles.key_error + at);
+            for (int y = 0; y < parts_across; ++y) {
+                const FanOfFloats a_row = a.in_row(y), b_row = b.in_row(y), c_row = c.in_row(y),
+                                  key_row = key.in_row(y) + key_error;
+                for (int x = 0; x < parts_across; ++x) {
+                    const int part = y * parts_across + x;
+                    const auto inside = min(min(a.in_part(a_row, x), b.in_part(b_row, x)), c.in_part(c_row, x));
+                    const auto met = (inside >= 0.0f) & (key.in_part(key_row, x) >= least_keys_[part]);
+                    in_part[part] |= bits_of(met) << at;
+                }
             }
         }
-        for (std::uint32_t& some : in_quarter) some &= triangles.left;
+        for (std::uint32_t& some : in_part) some &= triangles.left;
     }
 
-    /// Tests triangles against the rays of a quarter.
-    HWY_ATTR void draw(const Triangles& triangles, std::uint32_t which, const Block& block, int quarter) {
+    /// Tests triangles against the rays of a part.
+    HWY_ATTR void draw(const Triangles& triangles, std::uint32_t which, const Block& block, int part) {
         const Floats behind = grid_.pinhole ? std::numeric_limits<float>::infinity() : 0.0f;
         Floats least = std::numeric_limits<float>::infinity();
-        const auto begin = static_cast<std::size_t>(quarter * quarter_size);
-        for (std::size_t i = begin; i < begin + quarter_size; i += Floats::count()) {
+        const auto begin = static_cast<std::size_t>(part * part_size);
+        for (std::size_t i = begin; i < begin + part_size; i += Floats::count()) {
             const Floats dj = Floats::load(offsets.right + i), di = Floats::load(offsets.up + i);
             Best best = Best::load(*this, i);
             for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
@@ -336,7 +351,7 @@ private:
             best.store(*this, i);
             least = min(least, best.low);
         }
-        least_keys_[quarter] = least_of_all(least);
+        least_keys_[part] = least_of_all(least);
     }
 
     const Engine& engine_;
@@ -344,7 +359,7 @@ private:
     Tile& tile_;
     alignas(64) float key_low_[tile_size], key_high_[tile_size];  ///< of what each ray has met; its key lies between
     glassbox::Ray<double> middle_;
-    float least_key_ = 0, least_keys_[quarters];
+    float least_key_ = 0, least_keys_[parts];
     bool given_up_ = false;  ///< the rays are to be traced one by one
     alignas(64) float squares_[tile_size];
     double longest_ = 0;

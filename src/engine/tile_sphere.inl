@@ -16,13 +16,13 @@ HWY_INLINE HWY_ATTR SphereKeyRange sphere_key_range(const Grid& grid, const Doub
     return {-(grid.key_of_t * t_low * narrow), -(grid.key_of_t * t_high * wide)};
 }
 
-/// What the rays of a quarter know of a sphere: which may meet it, and which surely do (1, else 0), and between which
+/// What the rays of a part know of a sphere: which may meet it, and which surely do (1, else 0), and between which
 /// keys.
 struct SphereKeys {
-    alignas(64) float low[quarter_size], high[quarter_size], live[quarter_size], sure[quarter_size];
+    alignas(64) float low[part_size], high[part_size], live[part_size], sure[part_size];
 };
 
-/// By doubles. `middle` is the tile's middle ray; the quarter's rays begin at the place `begin`.
+/// By doubles. `middle` is the tile's middle ray; the part's rays begin at the place `begin`.
 HWY_INLINE HWY_ATTR SphereKeys sphere_keys(const Grid& grid, const glassbox::Ray<double>& middle,
                                            const glassbox::Sphere<double>& sphere, std::size_t begin) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ HWY_INLINE HWY_ATTR SphereKeys sphere_keys(const Grid& grid, const glassbox::Ray
     const Vec3<Doubles> from = broadcast(middle.P - sphere.C), direction = broadcast(middle.D);
     const Doubles r2 = sphere.r * sphere.r;
     SphereKeys keys;
-    for (std::size_t i = 0; i < quarter_size; i += Doubles::count()) {
+    for (std::size_t i = 0; i < part_size; i += Doubles::count()) {
         const Doubles dj = load_as_doubles(offsets.right + begin + i), di = load_as_doubles(offsets.up + begin + i);
         const Vec3<Doubles> step = {dj * grid.right.x + di * grid.up.x, dj * grid.right.y + di * grid.up.y,
                                     dj * grid.right.z + di * grid.up.z};

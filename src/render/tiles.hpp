@@ -31,30 +31,26 @@ void for_each_square(const Columns& columns, const Rows& rows, int side, const U
 template <class Each>
 void trace_tiles(const engine::Engine& engine, const View& view, int width, int height, const Job& job,
                  const Each& each) {
-    constexpr int side = engine::tile_side, part_side = 2 * side;
+    constexpr int side = engine::tile_side;
     const std::optional<engine::Grid> rays = grid_for(view, width, height, engine);
     const double per_t_scale = rays ? 1 / rays->t_scale : 1;
     for_each_block(width, height, job, [&](const auto& columns, const auto& rows) {
         engine::Tile tile, untold{};
         std::fill(std::begin(untold.surface), std::end(untold.surface), engine::not_told);
-        for_each_square(columns, rows, part_side, [&](int part_x, int part_y) {
-            const tbb::blocked_range<int> part_columns(part_x, std::min(part_x + part_side, columns.end())),
-                part_rows(part_y, std::min(part_y + part_side, rows.end()));
-            const int middle_x = (part_x + part_columns.end()) / 2, middle_y = (part_y + part_rows.end()) / 2;
-            const bool together = rays && !meets_too_fine(engine, view, pixel_ray(view, middle_x, middle_y, height));
-            for_each_square(part_columns, part_rows, side, [&](int x0, int y0) {
-                throw_if_stopped(job);
-                const int bottom = height - y0 - side;  // the tile's lowest row, which may lie below the picture
-                if (together) engine::trace_tile(engine, *rays, x0, bottom, tile);
-                const engine::Tile& told = together ? tile : untold;
-                const int y1 = std::min(y0 + side, part_rows.end()), x1 = std::min(x0 + side, part_columns.end());
-                for (int y = y0; y < y1; ++y)
-                    for (int x = x0; x < x1; ++x) {
-                        const std::uint32_t at = engine::place_in_tile(static_cast<std::uint32_t>(x - x0),
-                                                                       static_cast<std::uint32_t>(y0 + side - 1 - y));
-                        each(x, y, told.surface[at], static_cast<double>(told.t[at]) * per_t_scale);
-                    }
-            });
+        for_each_square(columns, rows, side, [&](int x0, int y0) {
+            throw_if_stopped(job);
+            const int x1 = std::min(x0 + side, columns.end()), y1 = std::min(y0 + side, rows.end());
+            const Ray<double> middle = pixel_ray(view, (x0 + x1) / 2, (y0 + y1) / 2, height);
+            const bool together = rays && !meets_too_fine(engine, view, middle);
+            const int bottom = height - y0 - side;  // the tile's lowest row, which may lie below the picture
+            if (together) engine::trace_tile(engine, *rays, x0, bottom, tile);
+            const engine::Tile& told = together ? tile : untold;
+            for (int y = y0; y < y1; ++y)
+                for (int x = x0; x < x1; ++x) {
+                    const std::uint32_t at = engine::place_in_tile(static_cast<std::uint32_t>(x - x0),
+                                                                   static_cast<std::uint32_t>(y0 + side - 1 - y));
+                    each(x, y, told.surface[at], static_cast<double>(told.t[at]) * per_t_scale);
+                }
         });
         if (job.done) *job.done += static_cast<std::int64_t>(rows.size() * columns.size());
     });
