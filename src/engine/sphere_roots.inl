@@ -70,5 +70,5 @@ HWY_INLINE HWY_ATTR SphereRoots sphere_roots(const SphereEquation& equation, con
     const Doubles t_low = (select(inside, root_least, -root_most) - b.most()) * per_D2 * (1 - slack);
     const Doubles t_high = (select(inside, root_most, -root_least) - b.least()) * per_D2 * (1 + slack);
     const auto sure = (outside & delta.surely_positive()) | inside;
-    return {behind | (delta.surely_negative() & !inside), sure & (t_low > 0.0), t_low, t_high};
+    return {behind | (delta.surely_negative() & !inside), sure & (t_low > 0.0) & (slack < 0.5), t_low, t_high};
 }

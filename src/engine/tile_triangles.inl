@@ -111,9 +111,10 @@ struct ErrorBound {
 /// by u; edges e are off by (2 + g)u. |D|, |p| and |w| are the sums of the sizes of D's coordinates, of p's, and of
 /// those of w = p × D, which in doubles is off by 6·2⁻⁵³|p||D| along each axis.
 /// - A side product is e·w_A, where w_A = w + A × D for the corner A that the edge starts at. That is |w| + 2|D| at
-///   most, summed over the axes, and off by u(2|w| + 5|D|) along each. With e's error, 3u of the sum for the dot
-///   product, and 8u for what a ray makes of it: together u(|w|(2 + 14g) + |D|(4 + 39g)). If the ray's direction is
-///   off by ε it changes by 2g(|p| + 1)ε; if its start is, by 2g|D|ε.
+///   most, summed over the axes, and off by u(3|w| + 5|D|) along each. With e's error, 3u of the sum for the dot
+///   product, and 8u for what a ray makes of it, two products and two sums, and as much where it is looked for whether
+///   any does: together u(|w|(2 + 15g) + |D|(4 + 39g)). If the ray's direction is off by ε it changes by 2g(|p| + 1)ε; if
+///   its start is, by 2g|D|ε.
 /// - N, the cross product of two edges, is at most 2g² along an axis, and off by 8ug(1 + g). The sum of the three side
 ///   products is D·N, off by u|D|(8g + 16g²); the determinant |A B C| is (p + A)·N, off by u(|p| + 3)(8g + 20g²). If
 ///   the ray is off by ε they change by 2g²ε.
@@ -126,7 +127,7 @@ struct TileErrors {
         const double D = most_of(rays.D), p = most_of(rays.p), w = most_of(rays.p_x_D);
         const double by_direction = rays.direction_error, by_start = rays.start_error;
         side = bound(u * (2 * w + 4 * D),
-                     u * (14 * w + 39 * D) + 36 * 0x1p-53 * p * D + 2 * (p + 1) * by_direction + 2 * D * by_start, 0);
+                     u * (15 * w + 39 * D) + 36 * 0x1p-53 * p * D + 2 * (p + 1) * by_direction + 2 * D * by_start, 0);
         sum = bound(0, 8 * u * D, 16 * u * D + 2 * by_direction);
         volume = bound(0, 8 * u * (p + 3), 20 * u * (p + 3) + 2 * by_start);
     }
@@ -191,10 +192,10 @@ HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, f
         };
         const FanOfVectors A = corner(block.A), B = corner(block.B), C = corner(block.C);
         const FanOfVectors a = C - B, b = A - C, c = B - A;  // the edges
-        const FanOfFloats g = max(largest(b), largest(c));
+        const FanOfFloats g = max(largest(b), largest(c));  // of those that N is made of
         const KeyQuotient quotient = key_quotient(rays, seen, A, cross(c, b), g, errors);
         const Key key = key_line(quotient);
-        const FanOfFloats sign = copysign(1.0f, quotient.d), error = errors.side(g);
+        const FanOfFloats sign = copysign(1.0f, quotient.d), error = errors.side(max(g, largest(a)));
         const Line edges[3] = {seen.side(B, a, rays.pinhole), seen.side(C, b, rays.pinhole),
                                seen.side(A, c, rays.pinhole)};
 

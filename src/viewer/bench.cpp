@@ -75,8 +75,8 @@ Turning turn_for_a_while(HiddenViewer& viewer) {
         }
         std::this_thread::sleep_until(start + std::chrono::duration<double>(frames * a_frame));
     }
-    const auto count = static_cast<double>(seen.size());
-    result.pictures = count / seconds_since(start);
+    const double count = std::max<double>(1, static_cast<double>(seen.size()));
+    result.pictures = static_cast<double>(seen.size()) / seconds_since(start);
     result.processor = (processor_time() - before) / count;
     std::vector<double> between;
     for (std::size_t i = 1; i < seen.size(); ++i) between.push_back(seen[i] - seen[i - 1]);

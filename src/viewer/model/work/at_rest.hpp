@@ -24,8 +24,8 @@ void do_at_rest(const Run& run, const Work& work) {
         if (run.stop.stop_requested()) throw Cancelled{};
     }
     const auto start = Clock::now();
+    run.pace = Pace();  // what counts is the last time; of work that is cancelled nothing is known
     work();
-    run.pace = Pace();  // what counts is the last time
     run.pace.note(1, std::chrono::duration<double>(Clock::now() - start).count());
 }
 

@@ -16,15 +16,18 @@ public:
 
     /// Infinity if it is not known.
     double seconds(int factor) const { return seconds_[index(factor)]; }
-    /// Limits the effect of a picture that was slow by chance. What makes one size slower or quicker, as other work of
-    /// the machine, is expected to do so to finer ones: else one that was too slow once would not be tried again while
-    /// the view turns.
+    /// Limits the effect of a picture that was slow or quick by chance. What makes one size slower or quicker, as other
+    /// work of the machine, is expected to do so to finer ones: else one that was too slow once would not be tried
+    /// again while the view turns.
     void note(int factor, double seconds) {
         const std::size_t at = index(factor);
-        const double known = seconds_[at], now = std::min(std::max(seconds, 1e-9), 1.25 * known);
-        seconds_[at] = now;
-        if (known == std::numeric_limits<double>::infinity()) return;
-        for (std::size_t finer = 0; finer < at; ++finer) seconds_[finer] *= std::max(now / known, 0.8);
+        const double known = seconds_[at];
+        if (known == std::numeric_limits<double>::infinity()) {
+            seconds_[at] = seconds;
+            return;
+        }
+        const double change = std::clamp(seconds / known, 0.8, 1.25);
+        for (std::size_t size = 0; size <= at; ++size) seconds_[size] *= change;
     }
 
     /// Returns the finest size that is known to take less than this; `otherwise` if none is.
