@@ -75,8 +75,8 @@ struct ShearedCorner {
 ///   least and the greatest tᵢ. With weights that are off by E it is off by no more than 3E times the corners' distance
 ///   in t over what their sum has for sure, see FilteredPredicates::sure_range, and that is at least half of the sum if
 ///   it is more than 7E. The mean's own rounding is 7u at most.
-/// 2⁻¹¹⁰ hides what underflow takes. Where floats overflow, E does or comparisons fail: the triangle may be met, then,
-/// and is not for sure.
+/// 2⁻¹¹⁰ hides what underflow takes. Where products overflow, a triangle that the ray meets has |q| ≤ 2 + c, so that E
+/// does, too, and it is not missed; and where the sum is no number nothing is sure.
 template <class Take>
 HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block, const Take& take) {
     const SeenBlock seen(ray, block);

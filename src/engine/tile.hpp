@@ -33,8 +33,8 @@ struct Grid {
 
     /// A power of two by which directions become about 1 long.
     double direction_scale = 1;
-    /// About as far as the engine's surfaces are from the rays' start, a power of two; tiles are given up where a
-    /// triangle is 2⁵⁰ times as far off, or its block 2⁵⁰ times as small.
+    /// About as far as the engine's surfaces are from the rays' start, a power of two: see also
+    /// TileRays::are_within_floats.
     double distance = 1;
     /// |L − the ray's own number|, summed over the axes, for L and for the ray itself.
     double ray_error = 0;

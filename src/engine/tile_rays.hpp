@@ -38,7 +38,8 @@ struct TileRays {
     /// How far the rays may be off, summed over the axes: their directions in a pinhole's view, else their starts.
     double direction_error, start_error;
 
-    /// Whether floats neither overflow nor underflow in what the rays are held against.
+    /// Whether floats neither overflow nor underflow in what the rays are held against: where the block is less than
+    /// 2⁶⁰ of its units off, and its unit not beyond 2^±50 of the grid's distance, or a little more.
     bool are_within_floats() const { return most_of(p) < 0x1p60 && key_factor < 0x1p50 && key_factor > 0x1p-60; }
 };
 

@@ -1,10 +1,12 @@
 // Rays and scenes for which bounds are tight, or numbers extreme: each search must give the answer worked out here.
 #include <doctest.h>
 
+#include <cmath>
 #include <optional>
 
 #include "render/measure/reference_search.hpp"
 #include "render/search/certified_search.hpp"
+#include "render/search/exact_crossing.hpp"
 #include "render/search/fast_search.hpp"
 
 using namespace glassbox;
@@ -92,4 +94,29 @@ TEST_CASE("t of a sphere whose squares underflow is told with all its digits, an
 TEST_CASE("a ray from the only point of a triangle without extent") {
     const Surfaces<double> surfaces{{}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
     check_surface(searched(surfaces, {{0, 0, 0}, {1, 0, 0}}), std::nullopt);
+}
+
+// From so far off the engine, which looks from near the triangle, is sure that it is met where plain double's side
+// products are nothing but rounding; their t was off by 0.8. The triangle lies within √3 of the world's origin, and so
+// does what the ray meets of it: by |P|/|D| = 2²⁴, t is within 1 of it, and the search must tell it as it does when it
+// is asked of the surface alone.
+TEST_CASE("t of a triangle that is met from far off is told the same whoever finds it") {
+    Surfaces<double> surfaces;
+    const Triangle<double> triangle{{-0x1.f61ca590aab66p-1, -0x1.321b0536a4d59p-1, 0x1.8bc69b8ee8b16p-1},
+                                    {0x1.983dfdad6726cp-1, 0x1.b1ec8b7faeda4p-1, -0x1.18e94c15fad2cp-1},
+                                    {0x1.1f79616b07214p-1, 0x1.53eba9c6b5d84p-2, -0x1.bac56ae82b554p-3}};
+    surfaces.triangles.push_back(triangle);
+    for (int i = 1; i < 20; ++i) {
+        const Vec3<double> shift{0, 1000.0 * i, 0};
+        surfaces.triangles.push_back({triangle.A + shift, triangle.B + shift, triangle.C + shift});
+    }
+    surfaces.triangles.push_back({{0x1p22, 0, 0x1p22}, {0x1p22, 0x1p22, 0x1p22}, {0x1p22, 0, 0x1p23}});
+    const Ray<double> ray{{-0x1.800000f3c5029p+24, -0x1.27cb2d61c3f8bp+24, 0x1.e37b65d14c4b4p+23},
+                          {0x1.8p+0, 0x1.27cb2cce726fcp+0, -0x1.e37b64502bd49p-1}};
+    const Searched found = searched(surfaces, ray);
+    check_surface(found, 0);
+    const TrueT t = *exact_crossing(ray, triangle, Pluecker{});
+    CHECK(std::abs(t.to_bounded().value - 0x1p24) < 1);
+    CHECK(found.fast->told_t == found.plain->told_t);
+    CHECK(std::abs(found.fast->told_t - t.to_bounded().value) <= 0x1p-28);
 }

@@ -257,10 +257,13 @@ private:
 
     /// t of a surface that the ray surely meets, as `by_filter` tells it; nothing where that may not be sure.
     std::optional<double> told_by_filter(const Ray<double>& ray, const Triangle<double>& triangle) const {
+        if (!is_filtered(triangle) || !is_of_ordinary_scale(ray, triangle)) return {};
         const Silent silent;
-        if (!is_filtered(triangle)) return {};
-        const Crossing<double> plain = intersect(ray, triangle, filtered_rule(triangle), silent);
-        return plain.met ? std::optional(plain.t) : std::nullopt;
+        DecidingNumbers numbers{silent, true};
+        const Crossing<double> plain = intersect(ray, triangle, filtered_rule(triangle), numbers);
+        // The engine may be sure of what these side products leave open: then its t is not told by them either.
+        const bool is_sure = plain.met && numbers.of_a_hit > errors_for(ray, triangle).side;
+        return is_sure ? std::optional(plain.t) : std::nullopt;
     }
     std::optional<double> told_by_filter(const Ray<double>& ray, const Sphere<double>& sphere) const {
         if (!is_filtered(sphere) || !is_of_ordinary_scale(ray, sphere)) return {};
