@@ -121,13 +121,12 @@ public:
 
 private:
     std::optional<Nearest> nearest_proven(const Ray<double>& ray) const {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
         const Silent silent;
         const std::optional<ProvenHit> hit = trace_proven(ray, silent);
         if (!hit) return {};
         const Bounded t = predicates_.with_bound(ray, *hit).t;
-        return Nearest{hit->surface, std::nextafter(t.value - t.error, -infinity),
-                       std::nextafter(t.value + t.error, infinity)};
+        const double low = t.value - t.error, high = t.value + t.error;
+        return Nearest{hit->surface, std::nextafter(low, -HUGE_VAL), std::nextafter(high, HUGE_VAL)};
     }
 
     /// What the engine says that the ray meets first, if anything.
