@@ -192,7 +192,10 @@ HWY_INLINE HWY_ATTR double bound_all(const RayPatch& rays, std::span<const Eight
             at_least += Doubles::count();
             most = min(most, its.most);
         }
-    return least_of_all(most);
+    // Not least_of_all: with emulated vectors that is never infinity.
+    alignas(64) double lanes[fan_out];
+    most.store(lanes);
+    return *std::min_element(lanes, lanes + Doubles::count());
 }
 
 HWY_ATTR double LeastSides(const RayPatch& patch, std::span<const EightTriangles> blocks, double* at_least) {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <magnitude.hpp>
 #include <sides.hpp>
@@ -122,7 +124,7 @@ void with_every_kind_of_vectors(const Check& check) {
     };
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         use(target);
-        CAPTURE(engine::vectors_used());
+        CAPTURE(std::string(engine::vectors_used()));
         check();
     }
     use(0);
