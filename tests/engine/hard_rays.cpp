@@ -120,3 +120,17 @@ TEST_CASE("t of a triangle that is met from far off is told the same whoever fin
     CHECK(found.fast->told_t == found.plain->told_t);
     CHECK(std::abs(found.fast->told_t - t.to_bounded().value) <= 0x1p-28);
 }
+
+// At the scene's own scale the products of z underflow, and at the engine's they do not: by either the normal is
+// rounded in its last digit, but it must be the same, or a picture's bytes would tell whether the engine was used.
+TEST_CASE("the normal of a triangle with subnormal coordinates is the same by every search") {
+    Surfaces<double> surfaces;
+    surfaces.triangles.push_back(
+        {{0, 0, 0}, {0, 1.044048714879764e-53, 4.243991582e-314}, {-4.176194859519056e-53, -1.044048714879764e-53, 0}});
+    const Ray<double> ray{{-1.6704779438076223e-52, 0, 0}, {1, 0, 0}};
+    const auto engine = std::make_shared<const engine::Engine>(surfaces.spheres, surfaces.triangles, 1);
+    REQUIRE(engine->scale() != 1);
+    const CertifiedSearch plain(surfaces, {}, {}, including({}, ray), false);
+    const Hit<double> hit{0, 1.6704779438076223e-52};
+    CHECK(FastSearch(engine, {}, {}).normal_at(ray, hit) == plain.normal_at(ray, hit));
+}

@@ -113,13 +113,24 @@ public:
     /// To ask about single surfaces.
     const FilteredPredicates<EngineSurfaces>& predicates() const { return predicates_; }
 
-    /// A triangle's is the same at the engine's scale, where nothing overflows.
+    /// A triangle's is the same at the engine's scale, where nothing overflows, unless something underflowed before.
     Vec3<double> normal_at(const Ray<double>& ray, const Hit<double>& hit) const {
         if (hit.surface < engine().sphere_count()) return predicates_.normal_at(ray, hit);
-        return predicates_.normal_at(ray, hit.t, engine().scaled_triangle(hit.surface));
+        const Triangle<double> scaled_one = engine().scaled_triangle(hit.surface);
+        if (engine().scale() != 1 && !keeps_products(scaled_one)) return predicates_.normal_at(ray, hit);
+        return predicates_.normal_at(ray, hit.t, scaled_one);
     }
 
 private:
+    /// Whether no product of two differences of its coordinates underflows, as the triangle was given: these are 0 or
+    /// 2⁻⁴⁴⁰ at least, differences then 2⁻⁴⁹² or 0.
+    bool keeps_products(const Triangle<double>& triangle) const {
+        const double least = 0x1p-440 * engine().scale();
+        const auto keeps = [&](double x) { return x == 0 || std::abs(x) >= least; };
+        const auto all = [&](const Vec3<double>& v) { return keeps(v.x) && keeps(v.y) && keeps(v.z); };
+        return all(triangle.A) && all(triangle.B) && all(triangle.C);
+    }
+
     std::optional<Nearest> nearest_proven(const Ray<double>& ray) const {
         const Silent silent;
         const std::optional<ProvenHit> hit = trace_proven(ray, silent);
