@@ -23,7 +23,7 @@ public:
         const std::size_t at = index(factor);
         const double known = seconds_[at];
         if (known == std::numeric_limits<double>::infinity()) {
-            seconds_[at] = seconds;
+            seconds_[at] = std::max(seconds, 1e-9);  // a clock may stand still
             return;
         }
         const double change = std::clamp(seconds / known, 0.8, 1.25);
