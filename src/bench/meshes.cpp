@@ -109,4 +109,6 @@ Scene seen(Mesh mesh, const Vec3<double>& eye, const Vec3<double>& look_at) {
     return scene;
 }
 
+Scene a_million_triangles() { return seen(terrain(708), {-1.2, -1.5, 0.9}, {0, 0, -0.1}); }
+
 }  // namespace glassbox

@@ -20,4 +20,7 @@ Mesh terrain(std::uint32_t cells);
 /// A mesh seen through a pinhole at `eye` that looks at `look_at`, 1024 x 1024 pixels.
 Scene seen(Mesh mesh, const Vec3<double>& eye, const Vec3<double>& look_at);
 
+/// A terrain of a million triangles, seen so.
+Scene a_million_triangles();
+
 }  // namespace glassbox

@@ -68,8 +68,7 @@ ViewerState first_state(const ViewRequest& request) {
 
 /// A scene of a million triangles, the paper's in all else.
 ViewerState with_a_million_triangles(const ViewerState& paper) {
-    constexpr std::uint32_t cells = 708;
-    Scene scene = seen(terrain(cells), {-1.2, -1.5, 0.9}, {0, 0, -0.1});
+    Scene scene = a_million_triangles();
     scene.width = 1280;
     scene.height = 720;
     ViewerState state = paper;
@@ -103,9 +102,9 @@ void print(const Quickness& q) {
 
 /// Measures the scene that was asked for; and, by default, one that is hard to turn.
 void run_bench(ViewerState state, WindowSize size, bool by_default) {
-    const ViewerState large = by_default ? with_a_million_triangles(state) : ViewerState();
+    if (!by_default) return print(quickness(std::move(state), size));
+    const ViewerState large = with_a_million_triangles(state);
     print(quickness(std::move(state), size));
-    if (!by_default) return;
     const Scene& scene = *large.scene;
     fmt::print("  {} triangles, {}x{}:\n", scene.meshes.front()->faces.size(), scene.width, scene.height);
     print(turning(large, size));
@@ -141,6 +140,8 @@ void run(const ViewRequest& request, const std::stop_token& stop) {
     }
     if (request.bench && !request.mine.empty())
         return print(saving_to_picture(std::move(state), size.value_or(WindowSize{1280, 720}), 10));
+    if (request.bench && state.scene->width < 2)
+        throw wrong("--bench", "needs a picture two pixels wide or more, to click on one and then another");
     if (request.bench) return run_bench(std::move(state), size.value_or(WindowSize{1280, 720}), request.scene.empty());
     if (commands.empty() && request.script.empty()) view(std::move(state), size, stop);
     else script::run(std::move(state), commands, size.value_or(WindowSize{1280, 800}));

@@ -39,6 +39,12 @@ void check_row_refused(const std::string& row, const std::vector<std::string>& p
 
 }  // namespace
 
+TEST_CASE("a picture with a single pixel to click on") {
+    const Workplace folder;
+    write(folder / "narrow.toml", "[image]\nwidth = 1\nheight = 9\n");
+    check_refused(folder, {"view", "narrow.toml", "--bench"}, 2, {"--bench: needs a picture two pixels wide or more"});
+}
+
 TEST_CASE("a scene that cannot be read") {
     const Workplace folder;
     const auto check = [&](const std::string& scene, const std::vector<std::string>& parts) {
