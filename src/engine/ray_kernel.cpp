@@ -64,11 +64,9 @@ private:
 
     HWY_NOINLINE HWY_ATTR void test_spheres(const Leaf& leaf) {
         const std::uint32_t* const numbers = engine_.hierarchy().surfaces.data() + leaf.first;
-        const MayMeet met = may_meet(ray_, engine_.scaled_spheres().data(), numbers, leaf.count, found_.high);
-        for (std::uint32_t rest = met.some; rest != 0; rest &= rest - 1) {
-            const int at = __builtin_ctz(rest);
-            add(numbers[at], (met.sure >> at & 1) != 0, met.low[at], met.high[at]);
-        }
+        for_each_met(ray_, engine_.scaled_spheres().data(), numbers, leaf.count,
+                     [&](std::uint32_t at, bool sure, double low, double high)
+                         HWY_ATTR { add(numbers[at], sure, low, high); });
     }
 
     /// Takes a surface that is met between two t, if at all.
@@ -76,7 +74,7 @@ private:
         if (low > found_.high) return;
         if (Any && sure) {  // nothing else matters
             found_.count = 1;
-            found_.too_many = false;
+            found_.is_whole = true;
             found_.high = high;
             found_.list[0] = {surface, sure, low};
             return;
@@ -86,7 +84,7 @@ private:
             t_max_ = BoxRay::t_max_of(high);
             drop_what_lies_behind();
         }
-        if (found_.count == Candidates::most) found_.too_many = true;
+        if (found_.count == Candidates::most) found_.is_whole = false;
         else found_.list[found_.count++] = {surface, sure, low};
     }
 
@@ -108,7 +106,7 @@ template <bool Any>
 HWY_INLINE HWY_ATTR Candidates candidates(const Engine& engine, const Ray<double>& ray, BoxRay& boxes) {
     Candidates found;
     if (set_up(boxes, ray, engine)) RayKernel<Any>(engine, boxes, found)();
-    else found.any_may_be = true;
+    else found.is_whole = false;
     return found;
 }
 

@@ -21,12 +21,11 @@ struct Candidates {
     static constexpr int most = 12;
 
     int count = 0;
-    bool too_many = false;                                  ///< more than there is place for: the list is not whole
-    bool any_may_be = false;                                ///< there is no BoxRay
+    bool is_whole = true;                                   ///< there was a BoxRay, and place enough in the list
     double high = std::numeric_limits<double>::infinity();  ///< the ray surely meets one at a t no larger than this
     Candidate list[most];
 
-    bool is_told() const { return !too_many && !any_may_be && (count == 0 || (count == 1 && list[0].sure)); }
+    bool is_told() const { return is_whole && (count == 0 || (count == 1 && list[0].sure)); }
 };
 
 /// What a ray may meet first of the engine's surfaces, the loose ones left out. Makes it a BoxRay.

@@ -7,6 +7,7 @@
 
 #include "engine/engine.hpp"
 #include "engine/tile.hpp"
+#include "numerics/vector_size.hpp"
 
 namespace glassbox::engine {
 
@@ -42,7 +43,7 @@ inline Bounds bounds(const Vec3<double>& n, const Vec3<double>& start, double vo
                      double more) {
     const double x = n.x / volume, y = n.y / volume, z = n.z / volume, d = -(x * start.x + y * start.y + z * start.z);
     const double sum = std::abs(x) + std::abs(y) + std::abs(z);
-    const double far = reach + std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
+    const double far = reach + sum_of_sizes(start);
     const double error = 0x1p-21 * (sum * reach + std::abs(d)) + 0x1p-48 * size / std::abs(volume) * far + more;
     // A quarter more for rounding to floats: outwards that would take a branch that nobody can foresee.
     const double wider = 1.25 * error + 0x1p-120;
@@ -57,7 +58,7 @@ inline constexpr double usually_off_by = 0.01, most_off_by = 0.5;
 
 /// Nothing if rounding might move them more: the tile is then not to be traced as one.
 inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const MiddleRay& middle) {
-    const auto size = [](const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    const auto size = [](const Vec3<double>& v) { return sum_of_sizes(v); };
     const Vec3<double> R = grid.right, U = grid.up, D = middle.D, n = cross(R, U);
     const double sizes = size(R) * size(U) * size(D), volume = dot(D, n);
     // Off by 2⁻⁴⁸ of `sizes` at most: relatively by 2⁻³⁰, which moves nothing in the tile by more than 2⁻²⁶ pixels.

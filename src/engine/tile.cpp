@@ -1,7 +1,8 @@
 #include "engine/tile.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "numerics/vector_size.hpp"
 
 namespace glassbox::engine {
 
@@ -10,8 +11,6 @@ namespace {
 constexpr double u = 0x1p-53;
 
 Vec3<double> sizes(const Vec3<double>& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-double sum(const Vec3<double>& v) { return v.x + v.y + v.z; }
-double greatest(const Vec3<double>& v) { return std::max({v.x, v.y, v.z}); }
 
 /// The sizes of what L(j, i) is the sum of, anywhere in the picture and a tile around it.
 Vec3<double> plane_sizes(const ViewingPlane<double>& plane, int width, int height) {
@@ -45,7 +44,7 @@ bool set_scales(Grid& grid, double direction, double distance) {
 
 std::optional<Grid> grid(const Vec3<double>& given_eye, const ViewingPlane<double>& given_plane, int width, int height,
                          const Engine& engine) {
-    const double to_ordinary = to_ordinary_length(sum(plane_sizes(given_plane, width, height)));
+    const double to_ordinary = to_ordinary_length(sum_of_sizes(plane_sizes(given_plane, width, height)));
     const Vec3<double> eye = engine.scale() * given_eye;
     const ViewingPlane<double> plane = scaled(given_plane, to_ordinary);
     Grid g;
@@ -57,14 +56,15 @@ std::optional<Grid> grid(const Vec3<double>& given_eye, const ViewingPlane<doubl
     g.t_scale = engine.scale() / to_ordinary;
     // L and the ray's direction are each rounded five times, relatively to sums of these sizes.
     const Vec3<double> terms = plane_sizes(plane, width, height);
-    g.ray_error = 12 * u * sum(terms);
-    if (!set_scales(g, sum(terms), static_cast<double>(engine.near_reach()) + greatest(sizes(eye - engine.middle()))))
+    g.ray_error = 12 * u * sum_of_sizes(terms);
+    if (!set_scales(g, sum_of_sizes(terms),
+                    static_cast<double>(engine.near_reach()) + greatest_coordinate(eye - engine.middle())))
         return {};
     return g;
 }
 
 std::optional<Grid> grid(const Parallel<double>& given, int width, int height, const Engine& engine) {
-    const double to_ordinary = to_ordinary_length(sum(sizes(given.direction)));
+    const double to_ordinary = to_ordinary_length(sum_of_sizes(given.direction));
     const Parallel<double> view{scaled(given.plane, engine.scale()), to_ordinary * given.direction};
     Grid g;
     g.t_scale = engine.scale() / to_ordinary;
@@ -73,10 +73,10 @@ std::optional<Grid> grid(const Parallel<double>& given, int width, int height, c
     g.right = view.plane.right;
     g.up = view.plane.up;
     const Vec3<double> terms = plane_sizes(view.plane, width, height);
-    g.ray_error = 12 * u * sum(terms);
+    g.ray_error = 12 * u * sum_of_sizes(terms);
     const ViewingPlane<double> seen{view.plane.corner - engine.middle(), view.plane.right, view.plane.up};
-    if (!set_scales(g, sum(sizes(view.direction)),
-                    static_cast<double>(engine.near_reach()) + greatest(plane_sizes(seen, width, height))))
+    if (!set_scales(g, sum_of_sizes(view.direction),
+                    static_cast<double>(engine.near_reach()) + greatest_coordinate(plane_sizes(seen, width, height))))
         return {};
     return g;
 }

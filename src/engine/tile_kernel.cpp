@@ -64,7 +64,7 @@ HWY_INLINE HWY_ATTR Extent in_perspective(const Extent& times_t, const FanOfFloa
             select(around_start, infinity, max(times_t.to * by_near, times_t.to * by_far))};
 }
 
-/// Is one of the tile's columns, or rows, between the two? They are 0 to 7 pixels from the first; what rounding may
+/// Is one of the tile's columns, or rows, between the two? They are 0 to 15 pixels from the first; what rounding may
 /// move is allowed for twice, for the ray and for the box.
 HWY_INLINE HWY_ATTR Mask<FanOfFloats::Tag> holds_a_ray(const Extent& extent, double off_by) {
     constexpr auto first = static_cast<float>(half_tile);
@@ -221,11 +221,14 @@ private:
     /// Part by part, those in which it may be the nearest so far.
     HWY_ATTR void test_sphere(std::uint32_t surface) {
         const glassbox::Sphere<double>& sphere = engine_.scaled_spheres()[surface];
-        if (grid_.pinhole && longest_ == 0) {
-            find_squares();
-            longest_ = longest_direction(grid_, middle_);
+        std::optional<QuickSphere> quick;
+        if (grid_.pinhole) {
+            if (!longest_) {
+                find_squares();
+                longest_ = longest_direction(grid_, middle_);
+            }
+            quick = quick_sphere(grid_, middle_, sphere, *longest_);
         }
-        const std::optional<QuickSphere> quick = quick_sphere(grid_, middle_, sphere, longest_);
         for (int q = 0; q < parts; ++q) {
             const auto begin = static_cast<std::size_t>(q * part_size);
             if (quick && !may_be_nearer(*quick, begin)) continue;
@@ -362,7 +365,7 @@ private:
     float least_key_ = 0, least_keys_[parts];
     bool given_up_ = false;  ///< the rays are to be traced one by one
     alignas(64) float squares_[tile_size];
-    double longest_ = 0;
+    std::optional<double> longest_;  ///< direction; found, and the squares, with the first sphere
 };
 
 HWY_ATTR void TraceTile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile) {

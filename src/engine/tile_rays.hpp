@@ -8,6 +8,7 @@
 #include "engine/block.hpp"
 #include "engine/tile.hpp"
 #include "numerics/double_double.hpp"
+#include "numerics/vector_size.hpp"
 
 namespace glassbox::engine {
 
@@ -22,8 +23,7 @@ struct LinearVector {
 
 /// A bound on the sum of the coordinates' sizes, anywhere in the tile.
 inline double most_of(const LinearVector<Vec3<double>>& v) {
-    const auto size = [](const Vec3<double>& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); };
-    return size(v.value) + half_tile * (size(v.right) + size(v.up));
+    return sum_of_sizes(v.value) + half_tile * (sum_of_sizes(v.right) + sum_of_sizes(v.up));
 }
 
 /// A tile's rays as they are held against a block: in its units, and directions about 1 long.
@@ -95,15 +95,14 @@ inline PreciseKey precise_key(const TileRays& rays, const Block& block, const Tr
         return Vec3<DoubleDouble>{exact(a.x, b.x), exact(a.y, b.y), exact(a.z, b.z)};
     };
     const auto rounded = [](const Vec3<DoubleDouble>& v) { return Vec3<double>{v.x.high, v.y.high, v.z.high}; };
-    const auto largest = [](const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    const auto size = [](const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
 
     const auto A = difference(triangle.A, start), b = difference(triangle.A, triangle.C),
                c = difference(triangle.B, triangle.A);
     const Vec3<DoubleDouble> exactly_N = cross(c, b);
     const Vec3<double> N = rounded(exactly_N);
-    const double g = std::max(largest(rounded(b)), largest(rounded(c))), g2 = g * g * (1 + 0x1p-40);
-    const double V = dot(A, exactly_N).high, V_error = 64 * u * u * g2 * size(rounded(A)) + u * std::abs(V);
+    const double g = std::max(greatest_coordinate(rounded(b)), greatest_coordinate(rounded(c))),
+                 g2 = g * g * (1 + 0x1p-40);
+    const double V = dot(A, exactly_N).high, V_error = 64 * u * u * g2 * sum_of_sizes(rounded(A)) + u * std::abs(V);
     const auto error = [&](double of_v) { return 16 * u * g2 * of_v + 0x1p-1000; };
 
     double n[3], n_error, d, d_error;

@@ -67,7 +67,7 @@ HWY_INLINE double longest_direction(const Grid& grid, const glassbox::Ray<double
     return grid.direction_scale * (length(middle.D) + half_tile * (length(grid.right) + length(grid.up)));
 }
 
-/// Nothing where that is not sure, or floats might overflow.
+/// Of a pinhole's view; nothing where that is not sure, or floats might overflow.
 ///
 /// With V = |v|, S = V² + r² ≥ |c|, G the longest direction, and u = 2⁻²⁴: in floats 2b is off by 8uVG, four roundings
 /// of terms whose sizes add up to 2VG; ck + 2b by 3.1uSk more and 2uVG; its product with k and the sum with D² ≤ G²,
@@ -80,7 +80,6 @@ HWY_INLINE double longest_direction(const Grid& grid, const glassbox::Ray<double
 /// of 32uSG², which leaves as much for what doubles lost, and for underflow, S being 2⁻⁶⁰ or more.
 HWY_INLINE HWY_ATTR std::optional<QuickSphere> quick_sphere(const Grid& grid, const glassbox::Ray<double>& middle,
                                                             const glassbox::Sphere<double>& sphere, double G) {
-    if (!grid.pinhole) return {};
     using glassbox::dot;
     const double by = 1 / grid.distance, by_D = grid.direction_scale;
     const glassbox::Vec3<double> v = by * (middle.P - sphere.C);

@@ -65,9 +65,6 @@ struct Line {
         up.store(to.up + at);
     }
 
-    friend HWY_ATTR Line operator+(const Line& a, const Line& b) {
-        return {a.value + b.value, a.right + b.right, a.up + b.up};
-    }
     friend HWY_ATTR Line operator*(const FanOfFloats& factor, const Line& line) {
         return {factor * line.value, factor * line.right, factor * line.up};
     }

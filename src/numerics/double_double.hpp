@@ -14,9 +14,8 @@ namespace glassbox {
 /// - difference and product of doubles: nothing;
 /// - a ± b: 3.1u²(|a| + |b|). The lows' sum and what the highs' sum lost are u(|a| + |b|) each, rounded twice.
 /// - a × b: 8.1u²|ab|; 3.1u²|ab| if one of them is a double, and nothing if both are.
-/// - a/b: 20u²|a/b|. The first quotient is off relatively by 3.1u; the second, which is that much, by 3.1u of itself
-/// and
-///   by what was left over for it, 9.3u²|a|, is off.
+/// - a/b: 20u²|a/b|. The first quotient is off relatively by 3.1u; the second, which is that much, by 3.1u of itself,
+///   and by what was left over for it, 9.3u²|a|, is off.
 /// - √a: 8u²√a. The first root is off by 1.6u, its correction by 3u of itself, and by half of 6.2u².
 struct DoubleDouble {
     double high = 0, low = 0;

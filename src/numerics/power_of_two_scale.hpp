@@ -5,14 +5,13 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
+#include "numerics/vector_size.hpp"
+
 namespace glassbox {
 
 // Surfaces multiplied by a power of two: no digit is lost where `keeps_digits` holds.
 
 /// No coordinate of it is larger.
-inline double greatest_coordinate(const Vec3<double>& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 inline double greatest_coordinate(const Sphere<double>& s) { return greatest_coordinate(s.C) + s.r; }
 inline double greatest_coordinate(const Triangle<double>& t) {
     return std::max({greatest_coordinate(t.A), greatest_coordinate(t.B), greatest_coordinate(t.C)});

@@ -1,13 +1,11 @@
 #pragma once
 #include <tbb/blocked_range.h>
 #include <tbb/blocked_range2d.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cstdint>
 
+#include "engine/with_threads.hpp"
 #include "render/job.hpp"
 
 namespace glassbox {
@@ -18,9 +16,7 @@ inline constexpr int block_side = 32;
 /// Calls `body` on parts of the range on the job's threads, which may be more than there are cores.
 template <class Range, class Body>
 void run_parallel(const Range& range, const Job& job, const Body& body) {
-    const int threads = job.threads > 0 ? job.threads : tbb::info::default_concurrency();
-    const tbb::global_control enough(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::task_arena(threads).execute([&] { tbb::parallel_for(range, body, tbb::simple_partitioner{}); });
+    engine::with_threads(job.threads, [&] { tbb::parallel_for(range, body, tbb::simple_partitioner{}); });
 }
 
 /// Throws Cancelled if the job was asked to stop, but not before job.not_before.

@@ -36,7 +36,7 @@ inline bool meets_too_fine(const engine::Engine& engine, const View& view, const
     if (engine.size() <= few || !is_valid(ray)) return false;
     engine::BoxRay boxes;
     const engine::Candidates found = engine::first_candidates(engine, ray, boxes);
-    if (found.any_may_be || found.too_many || found.count == 0) return false;
+    if (!found.is_whole || found.count == 0) return false;
     const auto& [surface, sure, low] = found.list[0];
     const double pixel = pixel_area(view, ray.D, boxes.least_t(low));
     return engine.with_surface(surface, [&](const auto& shape) { return seen_area(shape, ray.D) < small * pixel; });

@@ -41,8 +41,8 @@ bool is_below(const Exact& t, double bound) { return std::isfinite(bound) && com
 /// candidate is not met before that.
 void check_first(Counts& counts, const Few& few, const engine::Engine& engine, const Ray<double>& ray) {
     engine::BoxRay boxes;
+    if (!engine::set_up(boxes, ray, engine)) return;
     const engine::Candidates found = engine::first_candidates(engine, ray, boxes);
-    if (found.any_may_be) return;
     ++counts.rays;
     counts.told += found.is_told();
     bool one_by_high = !std::isfinite(found.high);
@@ -54,21 +54,21 @@ void check_first(Counts& counts, const Few& few, const engine::Engine& engine, c
         const std::optional<Exact> t = crossing ? std::optional(own_t(boxes, *crossing)) : std::nullopt;
         counts.hits += t.has_value();
         if (candidate == end) {
-            counts.wrong += t && !found.too_many && !is_above(*t, found.high);
+            counts.wrong += t && found.is_whole && !is_above(*t, found.high);
             continue;
         }
         counts.wrong += candidate->sure && !t;
         counts.wrong += t && is_below(*t, candidate->low);
         one_by_high |= candidate->sure && t && !is_above(*t, found.high);
     }
-    counts.wrong += !one_by_high && !found.too_many;
+    counts.wrong += !one_by_high && found.is_whole;
 }
 
 /// A candidate that stands alone and is sure is met; where there is none, nothing is.
 void check_any(Counts& counts, const Few& few, const engine::Engine& engine, const Ray<double>& ray) {
     engine::BoxRay boxes;
+    if (!engine::set_up(boxes, ray, engine)) return;
     const engine::Candidates found = engine::any_candidates(engine, ray, boxes);
-    if (found.any_may_be) return;
     if (!found.is_told()) return;
     if (found.count == 1) counts.wrong += !few.crossing(ray, found.list[0].surface);
     else

@@ -2,8 +2,6 @@
 // magnitude, in doubles and in floats.
 #include <doctest.h>
 
-#include <hwy/targets.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +12,8 @@
 #include <sides.hpp>
 
 #include "bounds_against_exact.hpp"
-#include "engine/kernels.hpp"
 #include "engine/side_bounds.hpp"
+#include "every_kind_of_vectors.hpp"
 #include "numerics/as_float.hpp"
 
 using namespace glassbox;
@@ -116,54 +114,39 @@ void check_patch(Counts& counts, double size, double speed, test::Doubles& rando
     }
 }
 
-template <class Check>
-void with_every_kind_of_vectors(const Check& check) {
-    const auto use = [](std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    };
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        use(target);
-        CAPTURE(std::string(engine::vectors_used()));
-        check();
-    }
-    use(0);
+/// From 10 to the one to 10 to the other.
+struct Magnitudes {
+    int least, most;
+};
+
+/// Patches half of which have ordinary sizes and speeds, and half any of the scalar's. At least so many of 5000 must be
+/// bounded, and one in so many triangles be passed over.
+template <class Real>
+void check_patches(std::uint64_t seed, Magnitudes ordinary, Magnitudes any, int bounded, int one_in) {
+    test::Doubles random(seed);
+    test::with_every_kind_of_vectors([&](std::int64_t target) {
+        CAPTURE(hwy::TargetName(target));
+        Counts counts;
+        for (int n = 0; n < 5000; ++n) {
+            const Magnitudes& of = random.one_in(2) ? ordinary : any;
+            const double size = power_of_ten(random, of.least, of.most);
+            const double speed = power_of_ten(random, of.least, of.most);
+            check_patch<Real>(counts, size, speed, random);
+        }
+        CHECK(counts.wrong == 0);
+        CHECK(counts.bounded > bounded);
+        CHECK(one_in * counts.passed_over > counts.all);
+    });
 }
 
 }  // namespace
 
+// They are of use: half of the patches have ordinary numbers, and few of a patch's triangles are its least.
 TEST_CASE("bounds of side products hold for every ray of a patch, in doubles of all sizes") {
-    test::Doubles random(11);
-    with_every_kind_of_vectors([&] {
-        Counts counts;
-        for (int n = 0; n < 5000; ++n) {
-            const bool ordinary = random.one_in(2);
-            const double size = ordinary ? power_of_ten(random, -6, 6) : power_of_ten(random, -300, 300);
-            const double speed = ordinary ? power_of_ten(random, -6, 6) : power_of_ten(random, -300, 300);
-            check_patch<double>(counts, size, speed, random);
-        }
-        CHECK(counts.wrong == 0);
-        // They are of use: half of the patches have ordinary numbers, and few of a patch's triangles are its least.
-        CHECK(counts.bounded > 2000);
-        CHECK(4 * counts.passed_over > counts.all);
-    });
+    check_patches<double>(11, {-6, 6}, {-300, 300}, 2000, 4);
 }
 
-TEST_CASE("bounds of side products hold for floats, too") {
-    test::Doubles random(12);
-    with_every_kind_of_vectors([&] {
-        Counts counts;
-        for (int n = 0; n < 5000; ++n) {
-            const bool ordinary = random.one_in(2);
-            const double size = ordinary ? power_of_ten(random, -3, 5) : power_of_ten(random, -40, 40);
-            const double speed = ordinary ? power_of_ten(random, -3, 5) : power_of_ten(random, -40, 40);
-            check_patch<float>(counts, size, speed, random);
-        }
-        CHECK(counts.wrong == 0);
-        CHECK(counts.bounded > 1500);
-        CHECK(5 * counts.passed_over > counts.all);
-    });
-}
+TEST_CASE("bounds of side products hold for floats, too") { check_patches<float>(12, {-3, 5}, {-40, 40}, 1500, 5); }
 
 TEST_CASE("a patch's triangles up to a limit are kept in their order, with their numbers") {
     std::vector<Triangle<double>> triangles;

@@ -1,6 +1,5 @@
 // Tiles of rays against rays traced one by one: what a tile decides is right, and it decides nearly everything.
 #include <doctest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <atomic>
@@ -8,6 +7,7 @@
 
 #include "../certified/cases.hpp"
 #include "engine/kernels.hpp"
+#include "every_kind_of_vectors.hpp"
 #include "render/search/build_engine.hpp"
 #include "render/search/certified_search.hpp"
 #include "render/search/fast_search.hpp"
@@ -259,9 +259,7 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
     const Scene scenes[] = {looked_at(heap, {5, 1, 1}, {0, 0, 0}, size),
                             from_above(heap, {0, 0, 0}, {0.1, 0.3, -1}, 4, size),
                             looked_at(test::scene_of(Shapes::globe(4)), {0, -3, 0.5}, {0, 0, 0}, size)};
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test::with_every_kind_of_vectors([&](std::int64_t target) {
         CHECK(std::string(engine::vectors_used()) == hwy::TargetName(target));
         for (const Scene& scene : scenes) {
             const Counts counts = check(engine::vectors_used(), scene);
@@ -282,13 +280,11 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
                 }
             CHECK(wrong == 0);
         }
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
 }
 
 // A floor of squares, each cut into two triangles: left of x = 16 with sides of 1/2, right of it of 1. Straight from
-// above, by pixels of side 1, a triangle covers 1/8 of a pixel on the left, 1/2 on the right; a part of 16 × 16 pixels
+// above, by pixels of side 1, a triangle covers 1/8 of a pixel on the left, 1/2 on the right; a tile of 16 × 16 pixels
 // is traced ray by ray for less than 0.2. The rays keep clear of all edges, which lie where x, y or x − y is a multiple
 // of 1/2.
 TEST_CASE("where triangles are much smaller than pixels, rays are left to be traced one by one") {

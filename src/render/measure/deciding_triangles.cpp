@@ -6,12 +6,11 @@
 #include <utility>
 
 #include "numerics/as_float.hpp"
+#include "numerics/vector_size.hpp"
 
 namespace glassbox {
 
 namespace {
-
-double sum_of_sizes(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 /// A patch of rays as a view has them, which the scalar then rounds.
 class PatchOfView {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <compare>
 #include <map>
 #include <optional>
 #include <utility>
@@ -65,41 +66,20 @@ std::vector<std::vector<Channel>> measured_by_search(const Scene& scene, const O
     return channels.filled(options);
 }
 
-/// How some measurements are made, all of them at once; the slowest ways first.
-enum class Way { by_search, by_all_sides, by_least_sides, by_least_certain_sides, by_count };
+/// What measurements that are made at once, in one way, ask for. The slowest come first.
+struct Asked {
+    bool only_count = false;
+    OfSides sides = OfSides::nothing;
+
+    friend auto operator<=>(const Asked&, const Asked&) = default;
+};
 
 /// In the plain loop every surface is tested: so what is asked of side products alone needs no search, and the number
-/// of tests is known.
-Way way_of(const Measurement& what, bool by_engine) {
-    if (by_engine) return Way::by_search;
-    if (what.needs.only_count) return Way::by_count;
-    switch (what.needs.sides) {
-        case OfSides::nothing:
-            break;
-        case OfSides::all:
-            return Way::by_all_sides;
-        case OfSides::least:
-            return Way::by_least_sides;
-        case OfSides::least_certain:
-            return Way::by_least_certain_sides;
-    }
-    return Way::by_search;
-}
-
-std::vector<std::vector<Channel>> measured(Way way, const Scene& scene, const Options& options, bool by_engine,
-                                           std::span<const Measurement* const> wanted, const Job& job) {
-    switch (way) {
-        case Way::by_search:
-            break;
-        case Way::by_all_sides:
-            return measured_by_sides(scene, options, OfSides::all, wanted, job);
-        case Way::by_least_sides:
-            return measured_by_sides(scene, options, OfSides::least, wanted, job);
-        case Way::by_least_certain_sides:
-            return measured_by_sides(scene, options, OfSides::least_certain, wanted, job);
-        case Way::by_count:
-            return counted_tests(scene, options, wanted, job);
-    }
+/// of tests is known. By the engine all is found by the same search.
+std::vector<std::vector<Channel>> measured(const Asked& asked, const Scene& scene, const Options& options,
+                                           bool by_engine, std::span<const Measurement* const> wanted, const Job& job) {
+    if (asked.only_count) return counted_tests(scene, options, wanted, job);
+    if (asked.sides != OfSides::nothing) return measured_by_sides(scene, options, asked.sides, wanted, job);
     return needs_of(wanted).sides != OfSides::nothing
                ? measured_by_search<WithTriangles>(scene, options, by_engine, wanted, job)
                : measured_by_search<PixelNumbers>(scene, options, by_engine, wanted, job);
@@ -113,15 +93,18 @@ std::vector<std::vector<Channel>> measure(const Scene& scene, const Options& giv
     if (needs_of(wanted).boxes && options.engine == EngineChoice::automatic) options.engine = EngineChoice::fast;
     const bool by_engine = uses_engine(scene, options, false);
 
-    std::map<Way, std::vector<std::size_t>> by_way;
-    for (std::size_t m = 0; m < wanted.size(); ++m) by_way[way_of(*wanted[m], by_engine)].push_back(m);
+    std::map<Asked, std::vector<std::size_t>> groups;
+    for (std::size_t m = 0; m < wanted.size(); ++m) {
+        const Needs& needs = wanted[m]->needs;
+        groups[by_engine ? Asked{} : Asked{needs.only_count, needs.sides}].push_back(m);
+    }
 
     std::vector<std::vector<Channel>> result(wanted.size());
     Job one_job = job;
-    for (const auto& [way, numbers] : by_way) {
+    for (const auto& [asked, numbers] : groups) {
         std::vector<const Measurement*> these;
         for (const std::size_t m : numbers) these.push_back(wanted[m]);
-        auto channels = measured(way, scene, options, by_engine, these, one_job);
+        auto channels = measured(asked, scene, options, by_engine, these, one_job);
         for (std::size_t i = 0; i < numbers.size(); ++i) result[numbers[i]] = std::move(channels[i]);
         one_job.done = nullptr;  // a pixel counts once
     }

@@ -69,8 +69,8 @@ inline std::optional<Vec3<double>> far_point_by_running_bounds(const Ray<double>
 /// pairs of doubles are sure of that. It spares exact arithmetic, which takes a hundred times as long.
 inline std::optional<Vec3<double>> far_point(const Ray<double>& ray, const Sphere<double>& sphere) {
     const auto is_ordinary = [](double size) { return size > 0x1p-100 && size < 0x1p100; };
-    if (!is_far_off(ray, sphere) || !is_ordinary(largest(ray.P - sphere.C)) || !is_ordinary(largest(ray.D)) ||
-        !is_ordinary(sphere.r))
+    if (!is_far_off(ray, sphere) || !is_ordinary(greatest_coordinate(ray.P - sphere.C)) ||
+        !is_ordinary(greatest_coordinate(ray.D)) || !is_ordinary(sphere.r))
         return {};
     if (const auto point = far_point_by_bound(ray, sphere)) return point;
     return far_point_by_running_bounds(ray, sphere);

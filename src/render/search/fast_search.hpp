@@ -56,8 +56,7 @@ public:
             engine::BoxRay boxes;
             const engine::Candidates found = engine::first_candidates(engine(), ray, boxes);
             if (found.is_told() && engine().loose().empty()) return proven(ray, boxes, found, probe);
-            if (!found.too_many && !found.any_may_be)
-                return Traversal<Probe>{*this, ray, probe, &boxes, {}}.first_of(found);
+            if (found.is_whole) return Traversal<Probe>{*this, ray, probe, &boxes, {}}.first_of(found);
         }
         const std::optional<engine::BoxRay> boxes = engine::box_ray(ray, engine());
         Traversal<Probe> way{*this, ray, probe, boxes ? &*boxes : nullptr, {}};
@@ -95,7 +94,7 @@ public:
         const auto is_met = [&](std::uint32_t surface) { return predicates_.is_met(ray, surface); };
         engine::BoxRay boxes;
         const engine::Candidates found = engine::any_candidates(engine(), ray, boxes);
-        if (found.too_many || found.any_may_be) {
+        if (!found.is_whole) {
             const Silent silent;
             return trace_proven(ray, silent).has_value();
         }

@@ -9,6 +9,8 @@
 #include <sphere.hpp>
 #include <triangle.hpp>
 
+#include "numerics/vector_size.hpp"
+
 namespace glassbox {
 
 /// std::ilogb, which takes ten times as long, of a number that is not negative.
@@ -84,14 +86,11 @@ Vec3<Real> normal_at(const Ray<Real>&, const Real&, const Triangle<Real>& triang
     return unit_normal(triangle);
 }
 
-/// The largest coordinate's size.
-inline double largest(const Vec3<double>& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
-
 // Whether `normal_at` may have lost most of its digits, or all: then `exact_normal` has them.
 
 /// The point is off by what P − c is rounded by, or t; more than 2⁻²³ of the radius is too much.
 inline bool is_far_off(const Ray<double>& ray, const Sphere<double>& sphere) {
-    return !(largest(ray.P - sphere.C) <= 0x1p30 * sphere.r);
+    return !(greatest_coordinate(ray.P - sphere.C) <= 0x1p30 * sphere.r);
 }
 
 /// t has not all its digits where it overflows or is subnormal, nor has tD for a sphere so small.
@@ -105,11 +104,12 @@ inline bool loses_digits(const Ray<double>& ray, double t, const Sphere<double>&
 inline bool loses_digits(const Ray<double>&, double, const Triangle<double>& triangle) {
     constexpr double least = 0x1p-20, smallest = 0x1p-960;
     const Vec3<double> to_B = triangle.B - triangle.A, to_C = triangle.C - triangle.A;
-    const double n = largest(cross(to_B, to_C)), sizes = largest(to_B) * largest(to_C);
+    const double n = greatest_coordinate(cross(to_B, to_C)),
+                 sizes = greatest_coordinate(to_B) * greatest_coordinate(to_C);
     if (n > smallest && std::isfinite(sizes) && n > least * sizes) return false;
     if (!is_finite(to_B) || !is_finite(to_C)) return true;
     if (to_B == Vec3<double>{} || to_C == Vec3<double>{}) return false;  // no area, truly
-    return !(largest(cross(scaled(to_B, -exponent(to_B)), scaled(to_C, -exponent(to_C)))) > least);
+    return !(greatest_coordinate(cross(scaled(to_B, -exponent(to_B)), scaled(to_C, -exponent(to_C)))) > least);
 }
 
 }  // namespace glassbox
