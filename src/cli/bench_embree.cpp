@@ -33,13 +33,12 @@ struct CheckedRays {
     std::vector<std::uint32_t> met;
 };
 
-/// `wanted` rays, evenly from the list; or all where the plain loop takes seconds for them, else 100,000, and where
-/// these, too, would take minutes, as many as it can do in some seconds.
+/// `wanted` rays, evenly from the list; or all where the plain loop takes seconds for them, else 100,000.
 CheckedRays check(const Scene& scene, const std::vector<Ray<float>>& list, std::optional<int> wanted, const Job& job) {
     const double triangles = static_cast<double>(scene.meshes.front()->faces.size());
     const auto all = static_cast<double>(list.size());
     double count = all;
-    if (all * triangles > 4e9) count = std::min({all, 100'000.0, 8.2e9 / triangles});
+    if (all * triangles > 4e9) count = std::min(all, 100'000.0);
     if (wanted) count = std::min<double>(all, *wanted);
     CheckedRays checked;
     std::vector<Ray<double>> rays;
@@ -48,7 +47,10 @@ CheckedRays check(const Scene& scene, const std::vector<Ray<float>>& list, std::
         checked.places.push_back(place);
         rays.push_back(convert<double>(list[place]));
     }
-    checked.met = nearest_by_plain_loop(scene, rays, job);
+    Progress progress("checking", static_cast<std::int64_t>(rays.size()));
+    Job shown = job;
+    shown.done = &progress.done();
+    checked.met = nearest_by_plain_loop(scene, rays, shown);
     return checked;
 }
 

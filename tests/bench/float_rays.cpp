@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../certified/cases.hpp"
 #include "bench/float_rays.hpp"
 #include "bench/meshes.hpp"
 #include "bench/plain_loop.hpp"
@@ -114,4 +115,41 @@ TEST_CASE("the loop that checks, surfaces and rays in blocks, answers as the pla
                          tiles.surface[y * 32 + x] != expected || (occluded[place] != 0) != hit.has_value();
         }
     CHECK(different == 0);
+}
+
+// Surfaces and rays together at all magnitudes, where squares of lengths underflow and overflow; rays at corners, where
+// a surface is met or missed by an ulp.
+TEST_CASE("the loop that checks passes over no surface that a ray meets, at whatever scale") {
+    test::Rays rays(7);
+    for (const int exponent : {-990, -700, -530, -400, -250, -60, 0, 60, 250, 400, 500}) {
+        CAPTURE(exponent);
+        const double scale = std::ldexp(1.0, exponent);
+        Scene scene;
+        for (int i = 0; i < 12; ++i) {
+            const auto anywhere = [&] { return scale * rays.anywhere(); };
+            scene.triangles.push_back({{anywhere(), anywhere(), anywhere()}, {}});
+            scene.spheres.push_back({anywhere(), scale * 0.2 * (1 + rays.random.fraction()), {}});
+        }
+        std::vector<Ray<double>> list;
+        const Surfaces<double> shapes = surfaces<double>(scene, 5);
+        for (const Triangle<double>& triangle : shapes.triangles)
+            for (const Vec3<double>& corner : {triangle.A, triangle.B, triangle.C})
+                list.push_back(rays.towards(corner, scale));
+        for (const Sphere<double>& sphere : shapes.spheres) list.push_back(rays.towards(sphere.C, sphere.r));
+        const std::vector<std::uint32_t> met = nearest_by_plain_loop(scene, list, {1, {}, nullptr});
+        const CertifiedSearch plain(shapes, {}, {}, reach_of(list), false);
+        const Silent silent;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const auto hit = plain.trace(list[i], silent);
+            CHECK(met[i] == (hit ? static_cast<std::uint32_t>(hit->surface) : engine::no_surface));
+        }
+    }
+}
+
+// The ray runs along x, and D² = 1e-340 underflows. It meets the sphere, whose middle it passes at 5e24, less than r.
+TEST_CASE("the loop that checks passes over nothing where a direction's square underflows") {
+    Scene scene;
+    scene.spheres.push_back({{1e25, 5e24, 0}, 9e24, {}});
+    const std::vector<Ray<double>> rays{{{0, 0, 0}, {1e-170, 0, 0}}};
+    CHECK(nearest_by_plain_loop(scene, rays, {1, {}, nullptr})[0] == 0);
 }

@@ -153,6 +153,13 @@ std::vector<Cliff> cliffs_of_scale() {
          [](int side) {
              return and_ball({{0, 0, -3}, 1, grey}, side);
          }},
+        {"the eye inside a big sphere, shading apart", 2, "a sphere behind the knot that fills the picture, too",
+         [](int side) {
+             return and_ball({{0, 0, 0}, 100, grey}, side);
+         },
+         [](int side) {
+             return and_ball({{0, 0, -260}, 250, grey}, side);
+         }},
         {"a surface of 2^51", 2, "one of 16, behind the same knot", [](int side) { return before_wall(0x1p51, side); },
          [](int side) { return before_wall(16, side); }},
         knot_at(1e8, "1e8"),
