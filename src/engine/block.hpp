@@ -46,8 +46,8 @@ public:
     std::size_t size() const { return blocks_.size(); }
     const Block& operator[](std::size_t number) const { return blocks_[number]; }
 
-    Triangle<double> triangle(std::size_t number, std::uint32_t at) const {
-        const Block& block = blocks_[number];
+    Triangle<double> triangle(std::size_t number, std::uint32_t at) const { return triangle(blocks_[number], at); }
+    Triangle<double> triangle(const Block& block, std::uint32_t at) const {
         const Vec3<double>* const corners = corners_.data() + block.first_corner;
         return {corners[block.corner[0][at]], corners[block.corner[1][at]], corners[block.corner[2][at]]};
     }

@@ -15,6 +15,8 @@ namespace glassbox::engine {
 /// and w·x + high, whatever floats lose.
 struct Bounds {
     float w[3], low, high;
+    /// The sides of a node's boxes that make the corner where it is least, or most, counted in floats from Node::side.
+    std::size_t least_corner[3], most_corner[3];
 };
 
 /// Where a point is, as a tile's rays see it. With D the middle ray's direction it is that ray's start and, t being
@@ -47,9 +49,17 @@ inline Bounds bounds(const Vec3<double>& n, const Vec3<double>& start, double vo
     const double error = 0x1p-21 * (sum * reach + std::abs(d)) + 0x1p-48 * size / std::abs(volume) * far + more;
     // A quarter more for rounding to floats: outwards that would take a branch that nobody can foresee.
     const double wider = 1.25 * error + 0x1p-120;
-    return {{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)},
-            static_cast<float>(d - wider),
-            static_cast<float>(d + wider)};
+    Bounds result{{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)},
+                  static_cast<float>(d - wider),
+                  static_cast<float>(d + wider),
+                  {},
+                  {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t lo = k * fan_out, hi = lo + 3 * fan_out;
+        result.least_corner[k] = result.w[k] > 0 ? lo : hi;
+        result.most_corner[k] = result.w[k] > 0 ? hi : lo;
+    }
+    return result;
 }
 
 /// By how many pixels rounding may move a ray: in most views much less than the first of them, which is nothing beside
@@ -64,10 +74,10 @@ inline std::optional<Sight> sight(const Engine& engine, const Grid& grid, const 
     // Off by 2⁻⁴⁸ of `sizes` at most: relatively by 2⁻³⁰, which moves nothing in the tile by more than 2⁻²⁶ pixels.
     if (!(std::abs(volume) > 0x1p-18 * sizes)) return {};
     // A ray that is off by ε is seen to be off by ε·(U × D)/volume and so on; in a pinhole's view t is then off
-    // relatively by ε·n/volume, and so are dj and di, which are less than 8.
+    // relatively by ε·n/volume, and so are dj and di, which are less than half a tile.
     const double by_ray = grid.ray_error / std::abs(volume);
     const double t_off = by_ray * size(n);
-    const double moved = by_ray * (size(U) + size(R)) * size(D) + (grid.pinhole ? 8 * t_off : 0);
+    const double moved = by_ray * (size(U) + size(R)) * size(D) + (grid.pinhole ? tile_side / 2 * t_off : 0);
     if (!(moved < most_off_by / 2)) return {};
     if (grid.pinhole && !(t_off < 0x1p-22)) return {};
     const double reach = static_cast<double>(engine.near_reach());

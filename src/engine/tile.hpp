@@ -9,7 +9,7 @@
 namespace glassbox::engine {
 
 /// Pixels on a side of a tile, whose rays are traced together.
-inline constexpr int tile_side = 16;
+inline constexpr int tile_side = 32;
 inline constexpr int tile_size = tile_side * tile_side;
 
 /// The rays of a picture, and how exactly they lie where they should.
@@ -34,7 +34,7 @@ struct Grid {
     /// A power of two by which directions become about 1 long.
     double direction_scale = 1;
     /// About as far as the engine's surfaces are from the rays' start, a power of two: see also
-    /// TileRays::are_within_floats.
+    /// RaysAtBlock::are_within_floats.
     double distance = 1;
     /// |L − the ray's own number|, summed over the axes, for L and for the ray itself.
     double ray_error = 0;
@@ -61,6 +61,7 @@ inline constexpr int part_side = 4;
 inline constexpr int part_size = part_side * part_side;
 inline constexpr int parts_across = tile_side / part_side;
 inline constexpr int parts = parts_across * parts_across;
+static_assert(tile_side % part_side == 0 && parts <= 256);
 
 /// Where the ray is kept that is `x` columns and `y` rows from the tile's first.
 constexpr std::uint32_t place_in_tile(std::uint32_t x, std::uint32_t y) {
@@ -73,7 +74,11 @@ constexpr std::uint32_t place_in_tile(std::uint32_t x, std::uint32_t y) {
 struct alignas(64) Tile {
     std::uint32_t surface[tile_size];
     float t[tile_size];
+    std::uint32_t leaves;  ///< how many of the hierarchy's leaves the rays were held against
 };
+
+/// Rays that come near so many leaves are not traced together any further: they are faster one by one.
+inline constexpr std::uint32_t most_leaves = 2 * tile_size;
 
 /// The rays of the columns from `column` on, and of the rows from `row` on upwards.
 void trace_tile(const Engine& engine, const Grid& grid, int column, int row, Tile& tile);

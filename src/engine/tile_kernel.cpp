@@ -31,83 +31,9 @@ inline constexpr Offsets offsets;
 inline constexpr float to_first_part = (tile_side - part_side) * 0.5f, half_part = (part_side - 1) * 0.5f;
 
 #include "engine/sphere_roots.inl"
+#include "engine/tile_boxes.inl"
 #include "engine/tile_sphere.inl"
 #include "engine/tile_triangles.inl"
-
-/// What is linear in x, in the corner of each child's box where it is least, or most: see Bounds.
-HWY_INLINE HWY_ATTR FanOfFloats least_in_boxes(const Bounds& b, const Node& node, std::size_t at) {
-    FanOfFloats sum = b.low;
-    for (int k = 0; k < 3; ++k)
-        sum = multiply_add(b.w[k], FanOfFloats::load(node.side[b.w[k] > 0 ? Node::lo : Node::hi][k] + at), sum);
-    return sum;
-}
-HWY_INLINE HWY_ATTR FanOfFloats most_in_boxes(const Bounds& b, const Node& node, std::size_t at) {
-    FanOfFloats sum = b.high;
-    for (int k = 0; k < 3; ++k)
-        sum = multiply_add(b.w[k], FanOfFloats::load(node.side[b.w[k] > 0 ? Node::hi : Node::lo][k] + at), sum);
-    return sum;
-}
-
-/// How far from the tile's middle a box begins and ends, in pixels to the right or upwards.
-struct Extent {
-    FanOfFloats from, to;
-};
-
-/// In a pinhole's view what is linear in x is t times that, and t ranges from the box's nearest corner to its farthest.
-/// A box around the rays' start lies everywhere.
-HWY_INLINE HWY_ATTR Extent in_perspective(const Extent& times_t, const FanOfFloats& t_least,
-                                          const FanOfFloats& t_most) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    const FanOfFloats by_near = 1.0f / t_least, by_far = 1.0f / t_most;
-    const auto around_start = t_least < 0x1p-100f;
-    return {select(around_start, -infinity, min(times_t.from * by_near, times_t.from * by_far)),
-            select(around_start, infinity, max(times_t.to * by_near, times_t.to * by_far))};
-}
-
-/// Is one of the tile's columns, or rows, between the two? They are 0 to 15 pixels from the first; what rounding may
-/// move is allowed for twice, for the ray and for the box.
-HWY_INLINE HWY_ATTR Mask<FanOfFloats::Tag> holds_a_ray(const Extent& extent, double off_by) {
-    constexpr auto first = static_cast<float>(half_tile);
-    const auto slack = static_cast<float>(2 * off_by);
-    const FanOfFloats from = max(extent.from + (first - slack), 0.0f);
-    const FanOfFloats to = min(extent.to + (first + slack), tile_side - 1.0f);
-    return ceil(from) <= floor(to);
-}
-
-/// The children whose boxes are not within the engine's near reach: of these `Bounds` say nothing.
-HWY_INLINE HWY_ATTR std::uint32_t beyond_reach(const Node& node, float near_reach, std::size_t at) {
-    FanOfFloats most = 0.0f;
-    for (int k = 0; k < 3; ++k)
-        most = max(
-            most, max(-FanOfFloats::load(node.side[Node::lo][k] + at), FanOfFloats::load(node.side[Node::hi][k] + at)));
-    return bits_of((most > near_reach) & (most < std::numeric_limits<float>::infinity()));
-}
-
-/// The children whose boxes some ray of the tile may meet, not beyond t_max; and the least t in each.
-HWY_INLINE HWY_ATTR std::uint32_t children_met(const Node& node, const Sight& sight, float t_max,
-                                               float (&entries)[fan_out]) {
-    std::uint32_t met = 0;
-    for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
-        const FanOfFloats t_least = least_in_boxes(sight.t, node, at), t_most = most_in_boxes(sight.t, node, at);
-        const auto extent = [&](const Bounds& b) HWY_ATTR {
-            const Extent seen{least_in_boxes(b, node, at), most_in_boxes(b, node, at)};
-            return sight.pinhole ? in_perspective(seen, t_least, t_most) : seen;
-        };
-        const auto ahead = (t_most >= 0.0f) & (t_least <= t_max);
-        // Of boxes around the rays' start the smallest first: what is in them is nearest.
-        select(t_least < 0.0f, 1.0f / t_least, t_least).store(entries + at);
-        const auto some_ray =
-            holds_a_ray(extent(sight.right), sight.off_by) & holds_a_ray(extent(sight.up), sight.off_by);
-        met |= bits_of(ahead & some_ray) << at;
-        if (!sight.some_beyond) continue;
-        for (std::uint32_t beyond = beyond_reach(node, sight.near_reach, at) << at; beyond != 0; beyond &= beyond - 1) {
-            const auto child = static_cast<std::uint32_t>(__builtin_ctz(beyond));
-            met |= 1u << child;
-            entries[child] = -std::numeric_limits<float>::infinity();
-        }
-    }
-    return met;
-}
 
 /// Traces one tile.
 class TileKernel {
@@ -121,8 +47,11 @@ public:
         const glassbox::Vec3<double> at = grid.corner + j * grid.right + i * grid.up;
         middle_.P = grid.pinhole ? grid.eye : at;
         middle_.D = grid.pinhole ? at : grid.direction;
+        rays_ = tile_rays(grid, middle_);
+        D_ = in_floats(rays_.D);
         const float nothing_yet = grid.pinhole ? 0 : -std::numeric_limits<float>::infinity();
         fill(no_surface, nothing_yet);
+        tile_.leaves = 0;
     }
 
     HWY_ATTR void operator()() {
@@ -141,21 +70,41 @@ private:
         if (hierarchy.nodes.empty()) return;
         const std::optional<Sight> seen = sight(engine_, grid_, {middle_.P - engine_.middle(), middle_.D});
         if (!seen) return fill(not_told, 0);
-        float t_max = std::numeric_limits<float>::infinity();
-        Visits visits({0, -std::numeric_limits<float>::infinity()});
-        while (!visits.is_empty()) {
-            const auto [child, entry] = visits.pop();
-            if (entry > t_max) continue;
-            if (Child::is_leaf(child)) {
-                if (test(child)) t_max = beyond(t_of_key(least_key_));
-                if (given_up_) return fill(not_told, 0);
+        t_max_ = std::numeric_limits<float>::infinity();
+        VisitStack<TileVisit> visits({0, -std::numeric_limits<float>::infinity(), all_parts});
+        // A leaf is tested when the next one is reached, so that it has the time to come from memory.
+        TileVisit leaf{Child::nothing, 0, all_parts};
+        ChildrenMet met;
+        while (!visits.is_empty() && !given_up_) {
+            const TileVisit visit = visits.pop();
+            if (visit.entry > t_max_) continue;
+            if (Child::is_leaf(visit.child)) {
+                if (leaf.child != Child::nothing) test(leaf);
+                leaf = visit;
                 continue;
             }
-            const Node& node = hierarchy.nodes[child];
-            alignas(32) float entries[fan_out];
-            const std::uint32_t met = children_met(node, *seen, t_max, entries);
-            visits.push(node, met, entries);
+            const Node& node = hierarchy.nodes[visit.child];
+            find_children_met(node, *seen, t_max_, met);
+            for (std::uint32_t rest = met.which; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
+            visits.push(met.which, [&](std::uint32_t i) {
+                return TileVisit{node.child[i], met.entry[i], {met.seen_in[i]}};
+            });
         }
+        if (leaf.child != Child::nothing && !given_up_) test(leaf);
+        if (given_up_) fill(not_told, 0);
+    }
+
+    /// Has the memory bring what will be visited soon.
+    HWY_INLINE HWY_ATTR void fetch(std::uint32_t child) const {
+        if (!Child::is_leaf(child)) fetch_all(engine_.hierarchy().nodes[child]);
+        else if (!Child::is_of_spheres(child)) fetch_all(engine_.blocks()[Child::index(child)]);
+    }
+    /// Inline: GCC takes a function that only does this for one that does nothing.
+    template <class Object>
+    HWY_INLINE static void fetch_all(const Object& object) {
+        constexpr std::size_t line = 64;
+        for (std::size_t at = 0; at < sizeof object; at += line)
+            __builtin_prefetch(reinterpret_cast<const char*>(&object) + at);
     }
 
     double t_of_key(float key) const {
@@ -173,17 +122,23 @@ private:
         std::fill(std::begin(least_keys_), std::end(least_keys_), key);
     }
 
-    /// Tests a leaf's surfaces against all rays; true if all rays have now met something nearer than before.
-    HWY_ATTR bool test(std::uint32_t leaf) {
-        if (Child::is_of_spheres(leaf)) {
-            const auto [first, count] = engine_.hierarchy().sphere_leaves[Child::index(leaf)];
+    /// Tests a leaf's surfaces against the rays.
+    HWY_ATTR void test(const TileVisit& leaf) {
+        if (leaf.entry > t_max_) return;
+        if (++tile_.leaves > most_leaves) {
+            given_up_ = true;
+            return;
+        }
+        if (Child::is_of_spheres(leaf.child)) {
+            const auto [first, count] = engine_.hierarchy().sphere_leaves[Child::index(leaf.child)];
             for (std::uint32_t i = 0; i < count; ++i) test_sphere(engine_.hierarchy().surfaces[first + i]);
         } else {
-            test_triangles(Child::index(leaf));
+            test_triangles(engine_.blocks()[Child::index(leaf.child)], leaf.seen_in);
         }
-        const float before = least_key_;
+        if (!least_rose_) return;
+        least_rose_ = false;
         least_key_ = *std::min_element(std::begin(least_keys_), std::end(least_keys_));
-        return least_key_ > before;
+        t_max_ = beyond(t_of_key(least_key_));
     }
 
     /// What the rays of some lanes may meet: whether they may, whether they do for sure, and between which keys.
@@ -243,7 +198,7 @@ private:
                 best.store(*this, begin + i);
                 least = min(least, best.low);
             }
-            least_keys_[q] = least_of_all(least);
+            set_least_key(static_cast<std::size_t>(q), least_of_all(least));
         }
     }
 
@@ -269,25 +224,31 @@ private:
         }
     }
 
-    HWY_ATTR void test_triangles(std::uint32_t number) {
-        const Block& block = engine_.blocks()[number];
-        const TileRays rays = tile_rays(grid_, middle_, block);
-        if (!rays.are_within_floats()) {
+    HWY_ATTR void test_triangles(const Block& block, const PartsOfTile& seen_in) {
+        if (rays_.pinhole) test_triangles<true>(block, seen_in);
+        else test_triangles<false>(block, seen_in);
+    }
+
+    template <bool pinhole>
+    HWY_ATTR void test_triangles(const Block& block, const PartsOfTile& seen_in) {
+        const RaysAtBlock at_block = rays_at(block, rays_);
+        if (!at_block.are_within_floats()) {
             given_up_ = true;
             return;
         }
-        Triangles triangles = set_up(rays, block, least_key_, [&](std::uint32_t at) {
-            return precise_key(rays, block, engine_.blocks().triangle(number, at), middle_.P);
-        });
+        const RaysInFloats<pinhole> seen(D_, at_block);
+        const auto precise = [&](std::uint32_t at) {
+            return precise_key(rays_, at_block, block, engine_.blocks().triangle(block, at));
+        };
+        Triangles triangles = set_up(seen, static_cast<float>(at_block.key_factor), TileErrors(rays_, at_block), block,
+                                     least_key_, precise);
         if (triangles.left == 0) return;
-        std::uint32_t in_part[parts];
-        sort_out(triangles, in_part);
-        for (int q = 0; q < parts; ++q)
-            if (in_part[q] != 0) draw(triangles, in_part[q], block, q);
-        for (std::uint32_t rest = triangles.unoriented; rest != 0; rest &= rest - 1) {
+        draw(triangles, block, seen_in);
+        if (triangles.unoriented == 0) return;
+        for (std::uint32_t rest = triangles.unoriented; rest != 0; rest &= rest - 1)
             triangles.turn_over(static_cast<std::size_t>(__builtin_ctz(rest)));
-            for (int q = 0; q < parts; ++q) draw(triangles, rest & (~rest + 1), block, q);
-        }
+        triangles.left = triangles.unoriented;
+        draw(triangles, block, seen_in);
     }
 
     /// What is linear in the tile where it is greatest in a part: to be asked row by row, and then along the row.
@@ -306,55 +267,83 @@ private:
         }
     };
 
-    /// Which of the triangles rays of a part may hit, before all that was met there: by the greatest numbers there.
-    HWY_ATTR void sort_out(const Triangles& triangles, std::uint32_t (&in_part)[parts]) const {
-        std::fill(std::begin(in_part), std::end(in_part), 0u);
+    /// Tests the triangles that are left against the rays of some parts, where they may be hit before all that was met
+    /// there. Which part they may be hit in nobody can foresee: so pairs of a triangle and a part are gathered first.
+    HWY_ATTR void draw(const Triangles& triangles, const Block& block, const PartsOfTile& some) {
         for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
             const GreatestInParts a(triangles.edge[0], at), b(triangles.edge[1], at), c(triangles.edge[2], at),
                 key(triangles.key, at);
             const FanOfFloats key_error = FanOfFloats::load(triangles.key_error + at);
-            for (int y = 0; y < parts_across; ++y) {
+            Pairs pairs;
+            for (int y = some.bottom(); y <= some.top(); ++y) {
                 const FanOfFloats a_row = a.in_row(y), b_row = b.in_row(y), c_row = c.in_row(y),
                                   key_row = key.in_row(y) + key_error;
-                for (int x = 0; x < parts_across; ++x) {
+                for (int x = some.left(); x <= some.right(); ++x) {
                     const int part = y * parts_across + x;
                     const auto inside = min(min(a.in_part(a_row, x), b.in_part(b_row, x)), c.in_part(c_row, x));
                     const auto met = (inside >= 0.0f) & (key.in_part(key_row, x) >= least_keys_[part]);
-                    in_part[part] |= bits_of(met) << at;
+                    pairs.add(part, (bits_of(met) << at) & triangles.left);
+                    if (pairs.are_full()) draw(triangles, block, pairs);
                 }
             }
+            draw(triangles, block, pairs);
         }
-        for (std::uint32_t& some : in_part) some &= triangles.left;
     }
 
-    /// Tests triangles against the rays of a part.
-    HWY_ATTR void draw(const Triangles& triangles, std::uint32_t which, const Block& block, int part) {
-        const Floats behind = grid_.pinhole ? std::numeric_limits<float>::infinity() : 0.0f;
-        Floats least = std::numeric_limits<float>::infinity();
-        const auto begin = static_cast<std::size_t>(part * part_size);
-        for (std::size_t i = begin; i < begin + part_size; i += Floats::count()) {
-            const Floats dj = Floats::load(offsets.right + i), di = Floats::load(offsets.up + i);
-            Best best = Best::load(*this, i);
-            for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
-                const auto at = static_cast<std::size_t>(__builtin_ctz(rest));
-                const auto number = [&](const Linear& linear) HWY_ATTR {
-                    return multiply_add(di, linear.up[at], multiply_add(dj, linear.right[at], linear.value[at]));
-                };
-                const Floats a = number(triangles.edge[0]), b = number(triangles.edge[1]),
-                             c = number(triangles.edge[2]);
-                const Floats innermost = min(min(a, b), c);
-                const auto possible = innermost >= 0.0f;
-                if (none(possible)) continue;
-                const Floats key = number(triangles.key), key_error = triangles.key_error[at];
-                const Floats low = key - key_error, high = key + key_error;
-                const auto live = possible & (high >= best.low) & (low < behind);
-                const auto sure = live & (high < behind) & (innermost > triangles.sure[at]);
-                best.take({live, sure, low, high}, block.surface[at]);
-            }
-            best.store(*this, i);
-            least = min(least, best.low);
+    /// Triangles and the parts in which they may be hit.
+    struct Pairs {
+        static constexpr int most = 64 / fan_out;
+        std::uint64_t triangles = 0;  ///< eight bits for each part
+        std::uint8_t part[most];
+        int count = 0;  ///< of parts
+
+        bool are_full() const { return count == most; }
+        void add(int number, std::uint32_t which) {
+            triangles |= std::uint64_t{which} << (count * fan_out);
+            part[count] = static_cast<std::uint8_t>(number);
+            count += which != 0;
         }
-        least_keys_[part] = least_of_all(least);
+    };
+
+    /// Tests them, and forgets them.
+    HWY_INLINE HWY_ATTR void draw(const Triangles& triangles, const Block& block, Pairs& pairs) {
+        for (std::uint64_t rest = pairs.triangles; rest != 0; rest &= rest - 1) {
+            const auto pair = static_cast<std::size_t>(__builtin_ctzll(rest));
+            draw(triangles, pair % fan_out, block, pairs.part[pair / fan_out]);
+        }
+        for (int i = 0; i < pairs.count; ++i) {
+            const std::size_t begin = std::size_t{pairs.part[i]} * part_size;
+            Floats least = std::numeric_limits<float>::infinity();
+            for (std::size_t ray = begin; ray < begin + part_size; ray += Floats::count())
+                least = min(least, Floats::load(key_low_ + ray));
+            set_least_key(pairs.part[i], least_of_all(least));
+        }
+        pairs = {};
+    }
+
+    /// Tests a triangle against the rays of a part.
+    HWY_INLINE HWY_ATTR void draw(const Triangles& triangles, std::size_t at, const Block& block, std::size_t part) {
+        const Floats behind = grid_.pinhole ? std::numeric_limits<float>::infinity() : 0.0f;
+        for (std::size_t i = part * part_size; i < (part + 1) * part_size; i += Floats::count()) {
+            const Floats dj = Floats::load(offsets.right + i), di = Floats::load(offsets.up + i);
+            const auto number = [&](const Linear& linear) HWY_ATTR {
+                return multiply_add(di, linear.up[at], multiply_add(dj, linear.right[at], linear.value[at]));
+            };
+            const Floats a = number(triangles.edge[0]), b = number(triangles.edge[1]), c = number(triangles.edge[2]);
+            const Floats innermost = min(min(a, b), c);
+            const Floats key = number(triangles.key), key_error = triangles.key_error[at];
+            const Floats low = key - key_error, high = key + key_error;
+            Best best = Best::load(*this, i);
+            const auto live = (innermost >= 0.0f) & (high >= best.low) & (low < behind);
+            const auto sure = live & (high < behind) & (innermost > triangles.sure[at]);
+            best.take({live, sure, low, high}, block.surface[at]);
+            best.store(*this, i);
+        }
+    }
+
+    void set_least_key(std::size_t part, float key) {
+        least_rose_ |= (least_keys_[part] == least_key_) & (key > least_key_);
+        least_keys_[part] = key;
     }
 
     const Engine& engine_;
@@ -362,8 +351,12 @@ private:
     Tile& tile_;
     alignas(64) float key_low_[tile_size], key_high_[tile_size];  ///< of what each ray has met; its key lies between
     glassbox::Ray<double> middle_;
-    float least_key_ = 0, least_keys_[parts];
-    bool given_up_ = false;  ///< the rays are to be traced one by one
+    TileRays rays_;
+    LinearVector<FanOfVectors> D_;             ///< of those rays
+    float least_keys_[parts], least_key_ = 0;  ///< of each part, and of all
+    bool least_rose_ = false;                  ///< whether the last one is to be found anew
+    float t_max_ = 0;                          ///< what all rays have met lies before it
+    bool given_up_ = false;                    ///< the rays are to be traced one by one
     alignas(64) float squares_[tile_size];
     std::optional<double> longest_;  ///< direction; found, and the squares, with the first sphere
 };

@@ -82,17 +82,22 @@ HWY_INLINE HWY_ATTR LinearVector<FanOfVectors> in_floats(const LinearVector<glas
     return {in_floats(v.value), in_floats(v.right), in_floats(v.up)};
 }
 
-/// A tile's rays in floats.
+/// A tile's rays before a block, in floats.
+template <bool pinhole>
 struct RaysInFloats {
-    LinearVector<FanOfVectors> D, p, p_x_D;
+    const LinearVector<FanOfVectors>& D;
+    LinearVector<FanOfVectors> p, p_x_D;
 
-    HWY_ATTR explicit RaysInFloats(const TileRays& rays)
-        : D(in_floats(rays.D)), p(in_floats(rays.p)), p_x_D(in_floats(rays.p_x_D)) {}
+    HWY_ATTR RaysInFloats(const LinearVector<FanOfVectors>& directions, const RaysAtBlock& at_block)
+        : D(directions), p_x_D(in_floats(at_block.p_x_D)) {
+        if constexpr (pinhole) p.value = in_floats(at_block.p.value);
+        else p = in_floats(at_block.p);
+    }
 
     /// The side products of an edge that starts at A.
-    HWY_INLINE HWY_ATTR Line side(const FanOfVectors& A, const FanOfVectors& edge, bool pinhole) const {
+    HWY_INLINE HWY_ATTR Line side(const FanOfVectors& A, const FanOfVectors& edge) const {
         const FanOfFloats value = dot(edge, plus_cross(p_x_D.value, A, D.value));
-        if (!pinhole) return {value, dot(edge, p_x_D.right), dot(edge, p_x_D.up)};
+        if constexpr (!pinhole) return {value, dot(edge, p_x_D.right), dot(edge, p_x_D.up)};
         return {value, dot(edge, plus_cross(p_x_D.right, A, D.right)), dot(edge, plus_cross(p_x_D.up, A, D.up))};
     }
 };
@@ -110,8 +115,8 @@ struct ErrorBound {
 /// - A side product is e·w_A, where w_A = w + A × D for the corner A that the edge starts at. That is |w| + 2|D| at
 ///   most, summed over the axes, and off by u(3|w| + 5|D|) along each. With e's error, 3u of the sum for the dot
 ///   product, and 8u for what a ray makes of it, two products and two sums, and as much where it is looked for whether
-///   any does: together u(|w|(2 + 15g) + |D|(4 + 39g)). If the ray's direction is off by ε it changes by 2g(|p| + 1)ε; if
-///   its start is, by 2g|D|ε.
+///   any does: together u(|w|(2 + 15g) + |D|(4 + 39g)). If the ray's direction is off by ε it changes by 2g(|p| + 1)ε;
+///   if its start is, by 2g|D|ε.
 /// - N, the cross product of two edges, is at most 2g² along an axis, and off by 8ug(1 + g). The sum of the three side
 ///   products is D·N, off by u|D|(8g + 16g²); the determinant |A B C| is (p + A)·N, off by u(|p| + 3)(8g + 20g²). If
 ///   the ray is off by ε they change by 2g²ε.
@@ -119,10 +124,10 @@ struct ErrorBound {
 struct TileErrors {
     ErrorBound side, sum, volume;
 
-    explicit TileErrors(const TileRays& rays) {
+    TileErrors(const TileRays& rays, const RaysAtBlock& at_block) {
         constexpr double u = 0x1p-24;
-        const double D = most_of(rays.D), p = most_of(rays.p), w = most_of(rays.p_x_D);
-        const double by_direction = rays.direction_error, by_start = rays.start_error;
+        const double D = rays.most_D, p = at_block.most_p, w = at_block.most_p_x_D;
+        const double by_direction = rays.direction_error(), by_start = at_block.start_error;
         side = bound(u * (2 * w + 4 * D),
                      u * (15 * w + 39 * D) + 36 * 0x1p-53 * p * D + 2 * (p + 1) * by_direction + 2 * D * by_start, 0);
         sum = bound(0, 8 * u * D, 16 * u * D + 2 * by_direction);
@@ -146,11 +151,12 @@ struct KeyQuotient {
 };
 
 /// t = V/sum, where V = |A B C| and `sum` is that of the three side products. Its key is 1/t or −t.
-HWY_INLINE HWY_ATTR KeyQuotient key_quotient(const TileRays& rays, const RaysInFloats& seen, const FanOfVectors& A,
+template <bool pinhole>
+HWY_INLINE HWY_ATTR KeyQuotient key_quotient(const RaysInFloats<pinhole>& seen, float key_factor, const FanOfVectors& A,
                                              const FanOfVectors& N, const FanOfFloats& g, const TileErrors& errors) {
-    const FanOfFloats factor = static_cast<float>(rays.key_factor);
+    const FanOfFloats factor = key_factor;
     const FanOfFloats V = dot(seen.p.value + A, N), V_error = errors.volume(g);
-    if (rays.pinhole) return {factor * dot(seen.D, N), factor * errors.sum(g), V, V_error};
+    if constexpr (pinhole) return {factor * dot(seen.D, N), factor * errors.sum(g), V, V_error};
     const Line minus_V = Line{V, dot(seen.p.right, N), dot(seen.p.up, N)};
     return {-factor * minus_V, factor * V_error, dot(seen.D.value, N), errors.sum(g)};
 }
@@ -158,7 +164,7 @@ HWY_INLINE HWY_ATTR KeyQuotient key_quotient(const TileRays& rays, const RaysInF
 struct Key {
     Line line;
     FanOfFloats error;
-    Mask<FanOfFloats::Tag> doubtful;  ///< whether d may be off by more than a part in 256
+    Mask<FanOfFloats::Tag> doubtful;  ///< whether d may be off by more than a part in 256, or floats overflow
 };
 
 /// n/d with errors N and M < |d|/256 is off by (N + |n/d| M)/(|d| − M) at most, and 12 roundings come to it.
@@ -168,7 +174,8 @@ HWY_INLINE HWY_ATTR Key key_line(const KeyQuotient& quotient) {
     const FanOfFloats inverse = 1.0f / d, doubt = abs(inverse) * M;
     const Line key = inverse * n;
     const FanOfFloats error = (abs(inverse) * N + key.size() * (doubt + 12 * u)) * larger + tiny;
-    return {key, error, !(doubt < 0x1p-8f)};
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return {key, error, !((doubt < 0x1p-8f) & (error < infinity))};
 }
 
 /// What the rays need to know of the triangles of a block. Whatever begins behind `least_key` counts as missed.
@@ -176,11 +183,9 @@ HWY_INLINE HWY_ATTR Key key_line(const KeyQuotient& quotient) {
 /// Where the sign of the key's denominator is sure, the side products must have it, too. Where it is not, they may have
 /// either, and what is possible is not told: such triangles are seen edge-on, or from their own plane. `precise(at)` is
 /// asked where floats do not tell.
-template <class Precise>
-HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, float least_key,
-                                     const Precise& precise) {
-    const TileErrors errors(rays);
-    const RaysInFloats seen(rays);
+template <bool pinhole, class Precise>
+HWY_INLINE HWY_ATTR Triangles set_up(const RaysInFloats<pinhole>& seen, float key_factor, const TileErrors& errors,
+                                     const Block& block, float least_key, const Precise& precise) {
     Triangles result;
     std::uint32_t negative = 0;
     for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
@@ -189,15 +194,14 @@ HWY_INLINE HWY_ATTR Triangles set_up(const TileRays& rays, const Block& block, f
         };
         const FanOfVectors A = corner(block.A), B = corner(block.B), C = corner(block.C);
         const FanOfVectors a = C - B, b = A - C, c = B - A;  // the edges
-        const FanOfFloats g = max(largest(b), largest(c));  // of those that N is made of
-        const KeyQuotient quotient = key_quotient(rays, seen, A, cross(c, b), g, errors);
+        const FanOfFloats g = max(largest(b), largest(c));   // of those that N is made of
+        const KeyQuotient quotient = key_quotient(seen, key_factor, A, cross(c, b), g, errors);
         const Key key = key_line(quotient);
         const FanOfFloats sign = copysign(1.0f, quotient.d), error = errors.side(max(g, largest(a)));
-        const Line edges[3] = {seen.side(B, a, rays.pinhole), seen.side(C, b, rays.pinhole),
-                               seen.side(A, c, rays.pinhole)};
+        const Line edges[3] = {seen.side(B, a), seen.side(C, b), seen.side(A, c)};
 
         auto left = key.line.most() + key.error >= least_key;
-        if (!rays.pinhole) left = left & (key.line.least() - key.error < 0.0f);
+        if (!pinhole) left = left & (key.line.least() - key.error < 0.0f);
         for (int k = 0; k < 3; ++k) {
             Line edge = sign * edges[k];
             edge.value = edge.value + error;

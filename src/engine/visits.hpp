@@ -15,20 +15,47 @@ struct Visit {
 };
 
 /// What is still to be visited on a way through a hierarchy; of what was pushed last the nearest lies on top.
-class Visits {
+template <class AVisit>
+class VisitStack {
 public:
-    explicit Visits(const Visit& first) { visits_[depth_++] = first; }
+    explicit VisitStack(const AVisit& first) { visits_[depth_++] = first; }
 
     bool is_empty() const { return depth_ == 0; }
-    Visit pop() { return visits_[--depth_]; }
+    AVisit pop() { return visits_[--depth_]; }
+    void put(const AVisit& one) { visits_[depth_++] = one; }
+
+    /// Of a node's children those whose bits are set, `visit_of(i)` for the i-th.
+    template <class VisitOf>
+    void push(std::uint32_t children, const VisitOf& visit_of) {
+        const std::size_t first = depth_;
+        for (; children != 0; children &= children - 1)
+            insert(visit_of(static_cast<std::uint32_t>(__builtin_ctz(children))), first);
+    }
+
+    /// How many there are, and puts one among those from `first` on where it belongs.
+    std::size_t depth() const { return depth_; }
+    void insert(const AVisit& one, std::size_t first) {
+        std::size_t place = depth_++;
+        for (; place > first && visits_[place - 1].entry < one.entry; --place) visits_[place] = visits_[place - 1];
+        visits_[place] = one;
+    }
+
+private:
+    AVisit visits_[(fan_out - 1) * most_levels + fan_out];
+    std::size_t depth_ = 0;
+};
+
+/// The same for a ray by itself.
+class Visits {
+public:
+    explicit Visits(const Visit& first) : stack_(first) {}
+
+    bool is_empty() const { return stack_.is_empty(); }
+    Visit pop() { return stack_.pop(); }
 
     /// The children whose bits are set.
     void push(const Node& node, std::uint32_t children, const float (&entries)[fan_out]) {
-        const std::size_t first = depth_;
-        for (; children != 0; children &= children - 1) {
-            const auto i = static_cast<std::uint32_t>(__builtin_ctz(children));
-            insert({node.child[i], entries[i]}, first);
-        }
+        stack_.push(children, [&](std::uint32_t i) { return Visit{node.child[i], entries[i]}; });
     }
 
     /// The same for two or more with entries ≥ 0, of which the nearest is not pushed but returned. Up to four are
@@ -52,9 +79,9 @@ public:
         sort(c, d);
         sort(b, c);
         sort(a, b);
-        const std::size_t first = depth_;
+        const std::size_t first = stack_.depth();
         for (const Ordered one : {d, c, b, a}) put(one);
-        while (children != 0) insert(visit_of(take(node, children, entries)), first);
+        while (children != 0) stack_.insert(visit_of(take(node, children, entries)), first);
         return pop().child;
     }
 
@@ -62,7 +89,7 @@ public:
     std::uint32_t push_all_but_one(const Node& node, std::uint32_t children) {
         const auto one = static_cast<std::uint32_t>(__builtin_ctz(children));
         for (children &= children - 1; children != 0; children &= children - 1)
-            visits_[depth_++] = {node.child[__builtin_ctz(children)], 0};
+            stack_.put({node.child[__builtin_ctz(children)], 0});
         return node.child[one];
     }
 
@@ -87,17 +114,9 @@ private:
         nearer = least;
     }
 
-    void put(Ordered one) { visits_[depth_++] = visit_of(one); }
+    void put(Ordered one) { stack_.put(visit_of(one)); }
 
-    /// Puts one among those from `first` on where it belongs.
-    void insert(const Visit& one, std::size_t first) {
-        std::size_t place = depth_++;
-        for (; place > first && visits_[place - 1].entry < one.entry; --place) visits_[place] = visits_[place - 1];
-        visits_[place] = one;
-    }
-
-    Visit visits_[(fan_out - 1) * most_levels + fan_out];
-    std::size_t depth_ = 0;
+    VisitStack<Visit> stack_;
 };
 
 }  // namespace glassbox::engine

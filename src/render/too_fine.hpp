@@ -10,7 +10,8 @@ namespace glassbox {
 
 // Rays of neighbouring pixels are traced together because most of what one of them comes near, its neighbours do, too.
 // Where surfaces look much smaller than a pixel, as in a coarse picture of a large mesh, each ray would be held against
-// nearly all that the others meet: there they are faster one by one.
+// nearly all that the others meet: there they are faster one by one. A tile tells how many leaves it tested; where the
+// one before tested few, the next is traced together, too, and otherwise one of its rays is asked first.
 
 /// How large a pixel is at this t of its ray, times |D|, as seen along D.
 inline double pixel_area(const View& view, const Vec3<double>& D, double t) {

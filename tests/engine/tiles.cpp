@@ -283,33 +283,65 @@ TEST_CASE("every kind of vectors that this processor has tells the truth") {
     });
 }
 
-// A floor of squares, each cut into two triangles: left of x = 16 with sides of 1/2, right of it of 1. Straight from
-// above, by pixels of side 1, a triangle covers 1/8 of a pixel on the left, 1/2 on the right; a tile of 16 × 16 pixels
-// is traced ray by ray for less than 0.2. The rays keep clear of all edges, which lie where x, y or x − y is a multiple
-// of 1/2.
-TEST_CASE("where triangles are much smaller than pixels, rays are left to be traced one by one") {
+// The key is 1/t: about 1e40, which no float holds. Part of the picture meets the near triangle all the same, at about
+// t = 1e-40.
+TEST_CASE("a plane so near the eye that its key is no float hides what lies behind it") {
     Scene scene;
-    scene.width = scene.height = 32;
-    const auto add = [&](double x, double y, double side) {
-        const Point a{x, y, 0}, b{x + side, y, 0}, c{x + side, y + side, 0}, d{x, y + side, 0};
-        scene.triangles.push_back({{a, b, c}, {}});
-        scene.triangles.push_back({{a, c, d}, {}});
+    scene.triangles.push_back({{Point{0, 0, -1e-40}, Point{1, 0, -1e-40}, Point{0, 1, -1e-40}}, {}});
+    scene.triangles.push_back({{Point{-9, -9, -1}, Point{9, -9, -1}, Point{0, 9, -1}}, {}});
+    for (const Point& at : {Point{0, 0, -1}, Point{0.1, 0.2, -1}})
+        check("near", looked_at(scene, {0, 0, 0}, at, size), false);
+    // About the eye, r = t |D|.
+    scene.spheres.push_back({{0, 0, 0}, 2e-40, {}});
+    scene.spheres.push_back({{0, 0, 0}, 1e-40, {}});
+    check("around", looked_at(scene, {0, 0, 0}, {0.1, 0.2, -1}, size), false);
+}
+
+// A floor of squares, each cut into two triangles, straight from above, by pixels of side 1: two tiles of 32 × 32, the
+// left one first. Squares of side 1 make triangles that cover 1/2 of a pixel; those of side 1/2 cover 1/8, and rays are
+// traced one by one where it is less than 0.2 and the tile before tells nothing. The rays keep clear of all edges,
+// which lie where x, y or x − y is a multiple of 1/2.
+//
+// Over a floor of side 1 on the right, 24 layers of triangles at each pixel, which its ray passes beyond their longest
+// edge, but within their boxes: 32 · 32 · 24 triangles in 3072 leaves or more, of which a tile tests no more than 2048.
+TEST_CASE("where rays come near many more surfaces than they meet, they are left to be traced one by one") {
+    constexpr int side = engine::tile_side;
+    CHECK(side == 32);
+    const Point first{0.6, 0.73, 0};  // where the first pixel's ray goes
+    const auto floor = [&](int left_cuts, int layers) {
+        Scene scene;
+        scene.width = 2 * side;
+        scene.height = side;
+        for (int y = 0; y <= side; ++y)
+            for (int x = 0; x <= 2 * side; ++x) {
+                const int cuts = x < side ? left_cuts : 1;
+                for (int up = 0; up < cuts; ++up)
+                    for (int right = 0; right < cuts; ++right) {
+                        const Point a{x + right * 1.0 / cuts, y + up * 1.0 / cuts, 0}, b = a + Point{1.0 / cuts, 0, 0},
+                                                                                       c = b + Point{0, 1.0 / cuts, 0},
+                                                                                       d = a + Point{0, 1.0 / cuts, 0};
+                        scene.triangles.push_back({{a, b, c}, {}});
+                        scene.triangles.push_back({{a, c, d}, {}});
+                    }
+                for (int layer = 0; x >= side && layer < layers; ++layer) {
+                    const Point at = first + Point{x - 0.3, y - 0.3, (layer + 1) * 1e-4};
+                    scene.triangles.push_back({{at, at + Point{0.4, 0, 0}, at + Point{0, 0.4, 0}}, {}});
+                }
+            }
+        return scene;
     };
-    for (int y = 0; y < 33; ++y)
-        for (int x = 0; x < 33; ++x)
-            if (x >= 16) add(x, y, 1);
-            else
-                for (const double right : {0.0, 0.5})
-                    for (const double up : {0.0, 0.5}) add(x + right, y + up, 0.5);
-    Scene parallel = scene, pinhole = scene;
-    parallel.view = ParallelView{{0.6, 0.73, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
-    // From 16 above, twice as high as half of it is wide: 32 pixels on 32 units, the first's middle at (0.6, 0.73).
-    pinhole.view = PinholeView{{16.1, 16.23, 16}, {16.1, 16.23, 0}, {0, 1, 0}, 90};
-    for (const Scene& one : {parallel, pinhole}) {
-        const Counts counts = check("a floor", one);
-        CHECK(counts.pixels == 32 * 32);
-        CHECK(counts.told == 16 * 32);
-        CHECK(counts.hits == 16 * 32);
+    for (const Scene& scene : {floor(2, 0), floor(1, 24)}) {
+        Scene parallel = scene, pinhole = scene;
+        parallel.view = ParallelView{first + Point{0, 0, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+        // From 16 above, as high as half of the picture: 32 pixels on 32 units.
+        const Point middle = first + Point{side - 0.5, side / 2 - 0.5, 0};
+        pinhole.view = PinholeView{middle + Point{0, 0, 16}, middle, {0, 1, 0}, 90};
+        for (const Scene& one : {parallel, pinhole}) {
+            const Counts counts = check("a floor", one);
+            CHECK(counts.pixels == 2 * side * side);
+            CHECK(counts.told == side * side);
+            CHECK(counts.hits == side * side);
+        }
     }
 }
 
