@@ -165,7 +165,7 @@ Drawn lattice(Random& random) {
     for (int n = random.between(drawn.surfaces.triangles.empty() ? 1 : 0, 4); n > 0; --n) {
         const double r = random.between(1, 1 << bits);
         drawn.surfaces.spheres.push_back({point(), r});
-        const Sphere& last = drawn.surfaces.spheres.back();
+        const Sphere last = drawn.surfaces.spheres.back();
         if (random.one_in(3)) {
             const double other = random.between(1, 1 << bits);
             drawn.surfaces.spheres.push_back(
