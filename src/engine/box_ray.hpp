@@ -123,10 +123,9 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
 inline void set_axis(BoxRay& result, int k, double start, double error, double direction, double power, double size) {
     result.inverse[k] = static_cast<float>(power) * (1 / static_cast<float>(direction));
     result.exit_inverse[k] = result.inverse[k] * BoxRay::exit_factor;
-    constexpr std::size_t from_lo_to_hi = 3 * fan_out;
-    const std::size_t lo = static_cast<std::size_t>(k) * fan_out, is_down = direction < 0;
-    result.near_side[k] = lo + is_down * from_lo_to_hi;
-    result.far_side[k] = lo + (1 - is_down) * from_lo_to_hi;
+    const std::size_t is_down = direction < 0;
+    result.near_side[k] = Node::place_of_side(is_down, static_cast<std::size_t>(k));
+    result.far_side[k] = Node::place_of_side(1 - is_down, static_cast<std::size_t>(k));
     // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that the
     // ray meets is as small as numbers that floats do not hold in full.
     const double wider = (error + std::abs(start) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,11 @@ struct alignas(32) Node {
     static constexpr std::uint32_t lo = 0, hi = 1;
     float side[2][3][fan_out];
     std::uint32_t child[fan_out];
+
+    /// Where the lower or upper sides along an axis begin, counted in floats from `side`.
+    static constexpr std::size_t place_of_side(std::size_t lo_or_hi, std::size_t axis) {
+        return (lo_or_hi * 3 + axis) * fan_out;
+    }
 };
 
 /// A box with a surface in it.

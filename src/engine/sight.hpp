@@ -55,9 +55,9 @@ inline Bounds bounds(const Vec3<double>& n, const Vec3<double>& start, double vo
                   {},
                   {}};
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t lo = k * fan_out, hi = lo + 3 * fan_out;
-        result.least_corner[k] = result.w[k] > 0 ? lo : hi;
-        result.most_corner[k] = result.w[k] > 0 ? hi : lo;
+        const std::size_t rises = result.w[k] > 0;
+        result.least_corner[k] = Node::place_of_side(1 - rises, k);
+        result.most_corner[k] = Node::place_of_side(rises, k);
     }
     return result;
 }

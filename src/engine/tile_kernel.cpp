@@ -70,7 +70,6 @@ private:
         if (hierarchy.nodes.empty()) return;
         const std::optional<Sight> seen = sight(engine_, grid_, {middle_.P - engine_.middle(), middle_.D});
         if (!seen) return fill(not_told, 0);
-        t_max_ = std::numeric_limits<float>::infinity();
         VisitStack<TileVisit> visits({0, -std::numeric_limits<float>::infinity(), all_parts});
         // A leaf is tested when the next one is reached, so that it has the time to come from memory.
         TileVisit leaf{Child::nothing, 0, all_parts};
@@ -188,7 +187,6 @@ private:
             const auto begin = static_cast<std::size_t>(q * part_size);
             if (quick && !may_be_nearer(*quick, begin)) continue;
             const SphereKeys keys = sphere_keys(grid_, middle_, sphere, begin);
-            Floats least = std::numeric_limits<float>::infinity();
             for (std::size_t i = 0; i < part_size; i += Floats::count()) {
                 Best best = Best::load(*this, begin + i);
                 const auto is = [&](const float* marks) HWY_ATTR { return Floats::load(marks + i) > 0.0f; };
@@ -196,9 +194,8 @@ private:
                 const auto live = is(keys.live) & (high >= best.low);
                 best.take({live, live & is(keys.sure), low, high}, surface);
                 best.store(*this, begin + i);
-                least = min(least, best.low);
             }
-            set_least_key(static_cast<std::size_t>(q), least_of_all(least));
+            find_least_key(static_cast<std::size_t>(q));
         }
     }
 
@@ -212,11 +209,10 @@ private:
         return false;
     }
 
-    /// D² of all rays, for `missed_or_behind`.
+    /// D² of all rays of a pinhole's view, for `missed_or_behind`.
     HWY_ATTR void find_squares() {
-        const Vec3<Doubles> middle = broadcast(grid_.direction_scale * middle_.D);
-        const Vec3<Doubles> right = broadcast(grid_.direction_scale * grid_.right),
-                            up = broadcast(grid_.direction_scale * grid_.up);
+        const Vec3<Doubles> middle = broadcast(rays_.D.value), right = broadcast(rays_.D.right),
+                            up = broadcast(rays_.D.up);
         for (std::size_t i = 0; i < tile_size; i += Doubles::count()) {
             const Vec3<Doubles> D =
                 middle + load_as_doubles(offsets.right + i) * right + load_as_doubles(offsets.up + i) * up;
@@ -311,13 +307,7 @@ private:
             const auto pair = static_cast<std::size_t>(__builtin_ctzll(rest));
             draw(triangles, pair % fan_out, block, pairs.part[pair / fan_out]);
         }
-        for (int i = 0; i < pairs.count; ++i) {
-            const std::size_t begin = std::size_t{pairs.part[i]} * part_size;
-            Floats least = std::numeric_limits<float>::infinity();
-            for (std::size_t ray = begin; ray < begin + part_size; ray += Floats::count())
-                least = min(least, Floats::load(key_low_ + ray));
-            set_least_key(pairs.part[i], least_of_all(least));
-        }
+        for (int i = 0; i < pairs.count; ++i) find_least_key(pairs.part[i]);
         pairs = {};
     }
 
@@ -341,7 +331,11 @@ private:
         }
     }
 
-    void set_least_key(std::size_t part, float key) {
+    HWY_INLINE HWY_ATTR void find_least_key(std::size_t part) {
+        Floats least = std::numeric_limits<float>::infinity();
+        for (std::size_t i = part * part_size; i < (part + 1) * part_size; i += Floats::count())
+            least = min(least, Floats::load(key_low_ + i));
+        const float key = least_of_all(least);
         least_rose_ |= (least_keys_[part] == least_key_) & (key > least_key_);
         least_keys_[part] = key;
     }
@@ -352,11 +346,11 @@ private:
     alignas(64) float key_low_[tile_size], key_high_[tile_size];  ///< of what each ray has met; its key lies between
     glassbox::Ray<double> middle_;
     TileRays rays_;
-    LinearVector<FanOfVectors> D_;             ///< of those rays
-    float least_keys_[parts], least_key_ = 0;  ///< of each part, and of all
-    bool least_rose_ = false;                  ///< whether the last one is to be found anew
-    float t_max_ = 0;                          ///< what all rays have met lies before it
-    bool given_up_ = false;                    ///< the rays are to be traced one by one
+    LinearVector<FanOfVectors> D_;                          ///< of those rays
+    float least_keys_[parts], least_key_ = 0;               ///< of each part, and of all
+    bool least_rose_ = false;                               ///< whether the last one is to be found anew
+    float t_max_ = std::numeric_limits<float>::infinity();  ///< what all rays have met lies before it
+    bool given_up_ = false;                                 ///< the rays are to be traced one by one
     alignas(64) float squares_[tile_size];
     std::optional<double> longest_;  ///< direction; found, and the squares, with the first sphere
 };

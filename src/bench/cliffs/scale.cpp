@@ -46,7 +46,9 @@ Traced before_wall(double size, int side) {
 }
 
 /// A knot, and one sphere; the eye is at (0, 0, 4).
-Traced and_ball(const ColoredSphere& ball, int side) { return {with(knot(128, side), ball)}; }
+auto and_ball(const Vec3<double>& C, double r) {
+    return [=](int side) { return Traced{with(knot(128, side), {C, r, grey})}; };
+}
 
 /// Two knots of 1,536 triangles.
 Traced two_knots(double apart, int side) { return {with(knot(64, side), moved(trefoil(64, 12), 1, {apart, 0, 0}))}; }
@@ -146,20 +148,9 @@ std::vector<Cliff> cliffs_of_scale() {
          [](int side) { return from_above(0x1p20, side); }, [](int side) { return from_above(1, side); }},
         {"1,000 spheres of all sizes on a floor of 1e4", 3, "on a floor of 10",
          [](int side) { return on_a_floor(1e4, side); }, [](int side) { return on_a_floor(10, side); }},
-        {"the eye inside a big sphere", 2, "a ball behind the knot",
-         [](int side) {
-             return and_ball({{0, 0, 0}, 100, grey}, side);
-         },
-         [](int side) {
-             return and_ball({{0, 0, -3}, 1, grey}, side);
-         }},
+        {"the eye inside a big sphere", 2, "a ball behind the knot", and_ball({0, 0, 0}, 100), and_ball({0, 0, -3}, 1)},
         {"the eye inside a big sphere, shading apart", 2, "a sphere behind the knot that fills the picture, too",
-         [](int side) {
-             return and_ball({{0, 0, 0}, 100, grey}, side);
-         },
-         [](int side) {
-             return and_ball({{0, 0, -260}, 250, grey}, side);
-         }},
+         and_ball({0, 0, 0}, 100), and_ball({0, 0, -260}, 250)},
         {"a surface of 2^51", 2, "one of 16, behind the same knot", [](int side) { return before_wall(0x1p51, side); },
          [](int side) { return before_wall(16, side); }},
         knot_at(1e8, "1e8"),
@@ -168,13 +159,8 @@ std::vector<Cliff> cliffs_of_scale() {
         shot(knot_at(1e10, "1e10")),
         {"two small meshes 1e8 apart", 3, "two knots 2 apart", [](int side) { return two_knots(1e8, side); },
          [](int side) { return two_knots(2, side); }},
-        {"a mesh before a far-off sphere", 3, "a ball behind the knot",
-         [](int side) {
-             return and_ball({{0, 0, -1e8}, 1, grey}, side);
-         },
-         [](int side) {
-             return and_ball({{0, 0, -3}, 1, grey}, side);
-         }},
+        {"a mesh before a far-off sphere", 3, "a ball behind the knot", and_ball({0, 0, -1e8}, 1),
+         and_ball({0, 0, -3}, 1)},
     };
 }
 
