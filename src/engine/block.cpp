@@ -26,7 +26,7 @@ std::uint8_t place_of(const Vec3<double>& corner, std::size_t first, std::vector
 Block exact_block(std::span<const std::uint32_t> surfaces, const NumberedTriangles& triangles,
                   std::vector<Vec3<double>>& corners) {
     Block block{};
-    block.unit = block.per_unit = 1;
+    block.per_unit = 1;
     block.count = static_cast<std::uint8_t>(surfaces.size());
     block.first_corner = static_cast<std::uint32_t>(corners.size());
     for (std::uint32_t at = 0; at < fan_out; ++at) {
@@ -60,8 +60,7 @@ void set_floats(Block& block, std::span<const Vec3<double>> corners) {
         reach = std::max(reach, along.reach);
     }
     const double per_unit = std::ldexp(1, -std::ilogb(reach) - 1);
-    block.unit = static_cast<float>(1 / per_unit);
-    block.per_unit = static_cast<float>(per_unit);
+    block.per_unit = per_unit;
     for (int k = 0; k < 3; ++k)
         for (std::uint32_t at = 0; at < fan_out; ++at) {
             const auto in_float = [&](int which) {

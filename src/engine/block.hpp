@@ -7,6 +7,7 @@
 #include <triangle.hpp>
 
 #include "engine/hierarchy.hpp"
+#include "numerics/power_of_two.hpp"
 
 namespace glassbox::engine {
 
@@ -15,14 +16,16 @@ namespace glassbox::engine {
 ///
 /// A float counts in units of the block's own, from an origin of the block's own. So it is −1 to 1 whatever the scene's
 /// size, and off by 2⁻²⁴ at most. Places that are left over repeat the last triangle.
-struct alignas(64) Block {
+struct alignas(128) Block {
     float A[3][fan_out], B[3][fan_out], C[3][fan_out];
     double origin[3];
-    float unit, per_unit;  ///< a power of two, and its inverse
+    double per_unit;  ///< a power of two
     std::uint32_t surface[fan_out];
     std::uint32_t first_corner;       ///< where the block's corners begin in Blocks::corners
     std::uint8_t corner[3][fan_out];  ///< which of them A, B and C are
     std::uint8_t count;
+
+    double unit() const { return inverse_power_of_two(per_unit); }
 };
 
 /// The triangles that some numbers of surfaces stand for.
@@ -44,6 +47,7 @@ public:
     void add_unseen(std::span<const std::uint32_t> surfaces, const NumberedTriangles& triangles);
 
     std::size_t size() const { return blocks_.size(); }
+    const Block* data() const { return blocks_.data(); }
     const Block& operator[](std::size_t number) const { return blocks_[number]; }
 
     Triangle<double> triangle(std::size_t number, std::uint32_t at) const { return triangle(blocks_[number], at); }

@@ -1,14 +1,15 @@
 #pragma once
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 
 #include <ray.hpp>
 
 #include "engine/engine.hpp"
+#include "numerics/power_of_two.hpp"
 #include "numerics/two_sum.hpp"
 
 namespace glassbox::engine {
@@ -22,26 +23,31 @@ namespace glassbox::engine {
 ///
 /// The boxes are tested in floats, so that none is passed over that holds a point of the true ray. After Ize, "Robust
 /// BVH Ray Traversal" (2013), for rays that are given in doubles. The ray enters the slab between lo and hi of an axis
-/// at (lo − P)/d and leaves it at (hi − P)/d (d < 0: the other way round), and meets the box if it enters the last of
-/// the three slabs no later than it leaves the first. Here:
-/// - P is known but for `start_error`, and so rounded to floats that the ray enters too early and leaves too late.
-/// - What is left is the rounding of lo − P, of 1/d, and of their product, relatively by (1 + u)⁵, u = 2⁻²⁴. It keeps
-///   signs, so that comparing an entry ≥ 0 with 1 + 2⁻²⁰ > ((1 + u)/(1 − u))⁵ times the exit is on the safe side.
-/// - Along an axis where d is 0, or nearly, P stays where it is as long as the ray is in the hierarchy. Entry and exit
-///   become ∓2¹²⁷ times its distance to a slab that is made a little wider, and so lie beyond all others if P is
-///   inside.
+/// at X = (lo − P)/d and leaves it at Y = (hi − P)/d (d < 0: the other way round), and meets the box if it enters the
+/// last of the three slabs no later than it leaves the first. With i = 1/d and u = 2⁻²⁴:
+/// - An entry is found as lo·i − P₁i, where P₁ lies ahead of P by w, so that the ray enters too early; an exit as
+///   hi·j − P₂j, where j = (1 + 2⁻²⁰)i and P₂ lies behind P by w, so that it leaves too late.
+/// - Rounded are i, twice, and j once more; P₁, P₁i, lo·i, and the sum. So (lo − P)i becomes (lo − P)i(1 + u)⁵ at most,
+///   but for u(3|P| + |Xd|)i and a little, which come of P₁ and of lo = P + Xd; w ≥ 2⁻²²|P| = 4u|P| hides the first.
+/// - So an entry is at most X(1 + u)⁵ or below 0, an exit at least Y(1 + 2⁻²⁰)(1 − u)⁶, and 1 + 2⁻²⁰ = 1 + 16u is more
+///   than both together: where X, or 0, is no later than Y, entry, or 0, is no later than exit.
+/// - w has 2⁻⁶⁰ of the hierarchy's reach besides: an exit that should not be below 0 is so large that what floats lose
+///   below their normal numbers is nothing to it. And no product is too large for floats.
+/// - Along an axis where d is nearly 0, less than ε = 2⁻⁶⁰, it counts as ε, and w has 16ε times how far the ray goes
+///   until it leaves the hierarchy, at most: it enters by 0, and leaves later than all of that, if it is in the slab.
 struct BoxRay {
-    float near_from[3], far_from[3], inverse[3], exit_inverse[3];
+    static constexpr std::size_t axes = 4;  ///< three, and one to spare, as vectors have it
+    alignas(16) float inverse[axes], near_offset[axes], exit_inverse[axes], far_offset[axes];
     /// Where in a node the sides stand through which it enters and leaves, counted in floats from Node::side: along an
     /// axis where d < 0 it enters the upper ones.
-    std::size_t near_side[3], far_side[3];
+    alignas(32) std::size_t near_side[axes], far_side[axes];
 
-    double P[3], d[3];   ///< its start, off by `start_error` along each axis at most, and its direction
-    double start_error;  ///< 0 where it was not moved
+    alignas(32) double P[axes];  ///< its start, off by `start_error` along each axis at most
+    alignas(32) double d[axes];  ///< its direction
+    double start_error;          ///< 0 where it was not moved
     double scale, per_scale, shift;
     bool as_given;  ///< neither moved nor at another scale, but for d, nor of a length far from 1
 
-    static constexpr float exit_factor = 1 + 0x1p-20f;
     /// In multiples of the hierarchy's reach: rays that start farther off are moved.
     static constexpr double nearby = 8;
 
@@ -69,15 +75,6 @@ private:
     }
 };
 
-/// 2 to the exponent of x, an ordinary number.
-inline double power_of_two(double x) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7FF0'0000'0000'0000);
-}
-/// Its inverse.
-inline double inverse_power_of_two(double power) {
-    return std::bit_cast<double>(0x7FE0'0000'0000'0000 - std::bit_cast<std::uint64_t>(power));
-}
-
 /// A number and the most that it is off.
 struct Approximately {
     double value, error;
@@ -97,7 +94,7 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
     const double size = engine.reach();
     const double middle[3] = {engine.middle().x, engine.middle().y, engine.middle().z};
     const double P[3] = {result.P[0], result.P[1], result.P[2]};
-    const double(&d)[3] = result.d;
+    const double(&d)[BoxRay::axes] = result.d;
     const int main_axis = std::abs(d[0]) >= 1 ? 0 : std::abs(d[1]) >= 1 ? 1 : 2;
     const double begin = d[main_axis] > 0 ? engine.around().lo[main_axis] : engine.around().hi[main_axis];
     const auto farthest = [&] { return std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}); };
@@ -118,20 +115,34 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
     return farthest() < 0x1p100;
 }
 
-/// What a ray needs to know of an axis: see BoxRay. Its start relative to the middle is off by `error`, and its
-/// direction is the given one over `power`, of which it is 2⁻¹²⁷ at least.
-inline void set_axis(BoxRay& result, int k, double start, double error, double direction, double power, double size) {
-    result.inverse[k] = static_cast<float>(power) * (1 / static_cast<float>(direction));
-    result.exit_inverse[k] = result.inverse[k] * BoxRay::exit_factor;
-    const std::size_t is_down = direction < 0;
-    result.near_side[k] = Node::place_of_side(is_down, static_cast<std::size_t>(k));
-    result.far_side[k] = Node::place_of_side(1 - is_down, static_cast<std::size_t>(k));
-    // Wider by 2⁻²³, so that it does not matter to which side floats round; and so much that no exit of a box that the
-    // ray meets is as small as numbers that floats do not hold in full.
-    const double wider = (error + std::abs(start) * 0x1p-23) * (1 + 0x1p-20) + size * 0x1p-60;
-    const double early = std::copysign(wider, direction);  // so far ahead that a box is entered too early
-    result.near_from[k] = static_cast<float>(start + early);
-    result.far_from[k] = static_cast<float>(start - early);
+/// A number for each axis, and one to spare: a vector of the compiler's, as one instruction has them where this is
+/// inlined.
+using EachAxis = double __attribute__((vector_size(8 * BoxRay::axes)));
+using EachAxisInBits = std::int64_t __attribute__((vector_size(8 * BoxRay::axes)));
+using EachAxisInFloats = float __attribute__((vector_size(4 * BoxRay::axes)));
+
+/// What a ray needs to know of the axes: see BoxRay. `start` is relative to the middle; the direction is the given one
+/// over `power`, a power of two.
+[[gnu::always_inline]] inline void set_axes(BoxRay& result, const EachAxis& start, const EachAxis& w,
+                                            const EachAxis& direction, double power) {
+    const EachAxisInBits sign = (EachAxisInBits)direction & std::numeric_limits<std::int64_t>::min();
+    const auto ahead = (EachAxis)((EachAxisInBits)w | sign);  // w ≥ 0, with the direction's sign
+    const EachAxisInFloats one = {1, 1, 1, 1};
+    const EachAxisInFloats i = static_cast<float>(power) * (one / __builtin_convertvector(direction, EachAxisInFloats));
+    const EachAxisInFloats j = i * (1 + 0x1p-20f);
+    const EachAxisInFloats near_offset = -__builtin_convertvector(start + ahead, EachAxisInFloats) * i;
+    const EachAxisInFloats far_offset = -__builtin_convertvector(start - ahead, EachAxisInFloats) * j;
+    const auto lo = [](std::size_t k) { return static_cast<std::int64_t>(Node::place_of_side(Node::lo, k)); };
+    const EachAxisInBits lower = {lo(0), lo(1), lo(2), lo(3)};
+    constexpr auto upper = static_cast<std::int64_t>(Node::place_of_side(Node::hi, 0));
+    const EachAxisInBits if_down = (sign >> 63) & upper;
+    const EachAxisInBits near_side = lower + if_down, far_side = lower + upper - if_down;
+    std::memcpy(result.inverse, &i, sizeof i);
+    std::memcpy(result.near_offset, &near_offset, sizeof near_offset);
+    std::memcpy(result.exit_inverse, &j, sizeof j);
+    std::memcpy(result.far_offset, &far_offset, sizeof far_offset);
+    std::memcpy(result.near_side, &near_side, sizeof near_side);
+    std::memcpy(result.far_side, &far_side, sizeof far_side);
 }
 
 /// As set_up, for rays that are not ordinary: of another scale than the scene's, or along an axis, or from far off.
@@ -159,17 +170,19 @@ inline void set_axis(BoxRay& result, int k, double start, double error, double d
     result.as_given = s == 1 && longest > 0x1p-90 && longest < 0x1p90;
     double error[3] = {std::abs(start[0]) * 0x1p-52, std::abs(start[1]) * 0x1p-52, std::abs(start[2]) * 0x1p-52};
     if (farthest > BoxRay::nearby * size && !move_near(result, engine, start, error)) return false;
+    // Along the main axis the ray goes on by t at least, and so leaves the hierarchy before t is as large as the start
+    // is far off, and the hierarchy.
+    const double far = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) + size;
+    const double epsilon = std::max(0x1p-60, far * 0x1p-120);  // more only where 1/ε times that would overflow
+    EachAxis from{}, w{}, direction = {1, 1, 1, 1};
     for (int k = 0; k < 3; ++k) {
-        double direction = d[k];
-        if (!(std::abs(direction) > 0x1p-60)) {
-            // Along the main axis the ray goes on by t at least, and so leaves the hierarchy before t is as large as
-            // the start is far off, and the hierarchy.
-            const double far = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) + size;
-            error[k] += 0x1p-22 * std::abs(start[k]) + 0x1p-56 * far;
-            direction = 0x1p-127;
-        }
-        set_axis(result, k, start[k], error[k], direction, 1, size);
+        const bool is_nearly_0 = !(std::abs(d[k]) > epsilon);
+        from[k] = start[k];
+        w[k] = error[k] * (1 + 0x1p-20) + std::abs(start[k]) * 0x1p-22 + size * 0x1p-60;
+        if (is_nearly_0) w[k] += 16 * epsilon * far;
+        direction[k] = is_nearly_0 ? epsilon : d[k];
     }
+    set_axes(result, from, w, direction, 1);
     return true;
 }
 
@@ -180,19 +193,19 @@ inline void set_axis(BoxRay& result, int k, double start, double error, double d
     const Vec3<double>&middle = engine.middle(), &P = ray.P, &D = ray.D;
     const double x = std::abs(D.x), y = std::abs(D.y), z = std::abs(D.z);
     const double longest = std::max(std::max(x, y), z), shortest = std::min(std::min(x, y), z);
-    const double start[3] = {P.x - middle.x, P.y - middle.y, P.z - middle.z};
-    const double farthest = std::max(std::max(std::abs(start[0]), std::abs(start[1])), std::abs(start[2]));
+    const EachAxis start = {P.x - middle.x, P.y - middle.y, P.z - middle.z, 0};
+    const auto far = (EachAxis)((EachAxisInBits)start & std::numeric_limits<std::int64_t>::max());
+    const double farthest = std::max(std::max(far[0], far[1]), far[2]);
     const bool is_ordinary = (longest < 0x1p60) & (shortest > longest * 0x1p-60) & (longest > 0x1p-60) &
-                             (farthest < BoxRay::nearby * size) & (size > 0x1p-50) & (engine.scale() == 1);
+                             (farthest < BoxRay::nearby * size) & (size > 0x1p-50) & (size < 0x1p60) &
+                             (engine.scale() == 1);
     if (!is_ordinary) [[unlikely]]
         return set_up_unusual(result, ray, engine);
     const double power = power_of_two(longest), to_unit = inverse_power_of_two(power);
-    const double from[3] = {P.x, P.y, P.z}, along[3] = {D.x, D.y, D.z};
-    for (int k = 0; k < 3; ++k) {
-        result.P[k] = from[k];
-        result.d[k] = along[k] * to_unit;
-        set_axis(result, k, start[k], std::abs(start[k]) * 0x1p-52, along[k], power, size);
-    }
+    const EachAxis from = {P.x, P.y, P.z, 0}, along = {D.x, D.y, D.z, 1}, d = along * to_unit;
+    std::memcpy(result.P, &from, sizeof from);
+    std::memcpy(result.d, &d, sizeof d);
+    set_axes(result, start, far * 0x1p-22 + size * 0x1p-60, along, power);
     result.scale = power;
     result.per_scale = to_unit;
     result.shift = result.start_error = 0;

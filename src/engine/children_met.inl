@@ -8,10 +8,11 @@ HWY_INLINE HWY_ATTR std::uint32_t children_met(const Node& node, const BoxRay& r
     const float* const sides = node.side[0][0];
     for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
         const auto entry_of = [&](int k) HWY_ATTR {
-            return (FanOfFloats::load(sides + ray.near_side[k] + at) - ray.near_from[k]) * ray.inverse[k];
+            return multiply_add(FanOfFloats::load(sides + ray.near_side[k] + at), ray.inverse[k], ray.near_offset[k]);
         };
         const auto exit_of = [&](int k) HWY_ATTR {
-            return (FanOfFloats::load(sides + ray.far_side[k] + at) - ray.far_from[k]) * ray.exit_inverse[k];
+            return multiply_add(FanOfFloats::load(sides + ray.far_side[k] + at), ray.exit_inverse[k],
+                                ray.far_offset[k]);
         };
         const FanOfFloats entry = max(max(entry_of(0), entry_of(1)), max(entry_of(2), 0.0f));
         const FanOfFloats exit = min(min(exit_of(0), exit_of(1)), min(exit_of(2), t_max));

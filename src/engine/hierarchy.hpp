@@ -24,8 +24,9 @@ struct Child {
     static constexpr std::uint32_t index(std::uint32_t code) { return code & 0x3FFFFFFF; }
 };
 
-/// Eight children and their boxes, axis by axis, as vectors read them: where they begin, and where they end.
-struct alignas(32) Node {
+/// Eight children and their boxes, axis by axis, as vectors read them: where they begin, and where they end. It fills
+/// whole pairs of cache lines, as processors fetch them.
+struct alignas(256) Node {
     static constexpr std::uint32_t lo = 0, hi = 1;
     float side[2][3][fan_out];
     std::uint32_t child[fan_out];

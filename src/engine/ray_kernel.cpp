@@ -1,5 +1,6 @@
 #include "engine/ray_kernel.hpp"
 
+#include "engine/fetch.hpp"
 #include "engine/visits.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -28,21 +29,28 @@ public:
         : found_(found), engine_(engine), ray_(ray), sheared_(sheared(ray)) {}
 
     HWY_INLINE HWY_ATTR void operator()() {
-        const Hierarchy& hierarchy = engine_.hierarchy();
-        if (hierarchy.nodes.empty()) return;
+        if (engine_.hierarchy().nodes.empty()) return;
         Visits visits({0, 0});
-        while (!visits.is_empty()) {
-            auto [child, entry] = visits.pop();
-            if (entry > t_max_) continue;
-            while (!Child::is_leaf(child)) child = next_below(hierarchy.nodes[child], visits);
-            if (child == Child::nothing) continue;
-            test(child);
+        for (std::uint32_t leaf; (leaf = next_leaf(visits)) != Child::nothing;) {
+            if (!visits.is_empty()) fetch(engine_, visits.next().child);
+            test(leaf);
             if (Any && found_.high < infinity) break;
         }
     }
 
 private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /// The leaf that the ray comes to next, or nothing.
+    HWY_INLINE HWY_ATTR std::uint32_t next_leaf(Visits& visits) const {
+        while (!visits.is_empty()) {
+            auto [child, entry] = visits.pop();
+            if (entry > t_max_) continue;
+            while (!Child::is_leaf(child)) child = next_below(engine_.hierarchy().nodes[child], visits);
+            if (child != Child::nothing) return child;
+        }
+        return Child::nothing;
+    }
 
     /// The child of a node that the ray comes to first, or nothing; the others are left to be visited later.
     HWY_INLINE HWY_ATTR std::uint32_t next_below(const Node& node, Visits& visits) const {

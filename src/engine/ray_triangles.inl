@@ -10,10 +10,12 @@ struct ShearedRay {
     std::size_t x, y, z;
     double P_x, P_y, P_z, shear_x, shear_y, per_D_z;
     double start_error, from;
+    float float_shear_x = static_cast<float>(shear_x), float_shear_y = static_cast<float>(shear_y),
+          float_per_D_z = static_cast<float>(per_D_z);
 };
 
 inline ShearedRay sheared(const BoxRay& from) {
-    const double(&P)[3] = from.P, (&D)[3] = from.d;
+    const double(&P)[BoxRay::axes] = from.P, (&D)[BoxRay::axes] = from.d;
     // Without a branch: which way a ray runs nobody can foresee.
     const double along_x = std::abs(D[0]), along_y = std::abs(D[1]), along_z = std::abs(D[2]);
     const std::size_t more_y = along_y > along_x, most_z = along_z > std::max(along_x, along_y);
@@ -27,23 +29,20 @@ inline ShearedRay sheared(const BoxRay& from) {
 /// A block as such a ray sees it, in the block's units: see for_each_met.
 struct SeenBlock {
     FanOfFloats q_x, q_y, shear_x, shear_y, E;
-    double t_0,
-        t_error;  ///< of the block's origin: the ray's own t, and what it is off, together with a sum's rounding
+    double p_z;
 
-    HWY_ATTR SeenBlock(const ShearedRay& ray, const Block& block) {
-        const auto per_unit = static_cast<double>(block.per_unit), unit = static_cast<double>(block.unit);
-        const double p_x = (block.origin[ray.x] - ray.P_x) * per_unit, p_y = (block.origin[ray.y] - ray.P_y) * per_unit,
-                     p_z = (block.origin[ray.z] - ray.P_z) * per_unit;
-        q_x = static_cast<float>(p_x - p_z * ray.shear_x);
-        q_y = static_cast<float>(p_y - p_z * ray.shear_y);
-        shear_x = static_cast<float>(ray.shear_x);
-        shear_y = static_cast<float>(ray.shear_y);
-        const FanOfFloats by_start = static_cast<float>(ray.start_error * per_unit);
-        const FanOfFloats c = abs(FanOfFloats(static_cast<float>(p_z))) * 0x1p-50f + (by_start * 2.0f + 0x1p-110f);
-        const FanOfFloats R = max(abs(q_x), abs(q_y)) + 2.0f;
-        E = (R + c * 2.0f) * (R * (21 * float_u) + c * 4.2f);
-        t_0 = p_z * ray.per_D_z * unit;
-        t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;
+    HWY_ATTR SeenBlock(const ShearedRay& ray, const Block& block)
+        : shear_x(ray.float_shear_x), shear_y(ray.float_shear_y) {
+        const double per_unit = block.per_unit;
+        const double p_x = (block.origin[ray.x] - ray.P_x) * per_unit, p_y = (block.origin[ray.y] - ray.P_y) * per_unit;
+        p_z = (block.origin[ray.z] - ray.P_z) * per_unit;
+        const auto x = static_cast<float>(p_x - p_z * ray.shear_x), y = static_cast<float>(p_y - p_z * ray.shear_y);
+        q_x = x;
+        q_y = y;
+        const float c_times_2_22 =
+            std::abs(static_cast<float>(p_z)) * 0x1p-28f + static_cast<float>(ray.start_error * per_unit) * 0x1p23f;
+        const float S = std::max(std::abs(x), std::abs(y)) + (2 + c_times_2_22);
+        E = S * S * (21 * float_u);
     }
 };
 
@@ -53,8 +52,8 @@ struct ShearedCorner {
 
     HWY_ATTR ShearedCorner(const ShearedRay& ray, const SeenBlock& seen, const float (&of)[3][fan_out], std::size_t at)
         : z(FanOfFloats::load(of[ray.z] + at)) {
-        x = FanOfFloats::load(of[ray.x] + at) + seen.q_x - z * seen.shear_x;
-        y = FanOfFloats::load(of[ray.y] + at) + seen.q_y - z * seen.shear_y;
+        x = less_product(FanOfFloats::load(of[ray.x] + at), z, seen.shear_x) + seen.q_x;
+        y = less_product(FanOfFloats::load(of[ray.y] + at), z, seen.shear_y) + seen.q_y;
     }
 };
 
@@ -66,31 +65,32 @@ struct ShearedCorner {
 /// these units, Q = max(|q_x|, |q_y|), and |D.x/D.z|, |D.y/D.z|, |1/D.z| ≤ 1:
 /// - q_x = p.x − p.z D.x/D.z is off by 7·2⁻⁵³ max(|p.x|, |p.y|, |p.z|), which is at most Q + |p.z|, and by 2δ where the
 ///   ray's start is off by δ: together by less than c + 2⁻⁵⁰Q, where c = 2⁻⁵⁰|p.z| + 2δ.
-/// - A corner's sheared coordinate, v.x + q_x − v.z D.x/D.z, is at most R = 2 + Q, and in floats off by 7u + 3uQ: for
-///   v, q_x and D.x/D.z, and for its own rounding. Together with what q_x is off that is less than e = 4uR + c.
+/// - A corner's sheared coordinate, v.x − v.z D.x/D.z + q_x, is at most R = 2 + Q, and in floats off by 8u + 2uQ: for
+///   v, D.x/D.z and q_x, and for its own rounding. Together with what q_x is off that is less than e = 4uR + c.
 /// - A side product, a difference of two products, is off by 4(R + 2e)e, and by its own rounding, 4u(R + 2e)²: together
-///   by (R + 2c)(20uR + 4c), and a little; E is that and a twentieth. Its sign is sure where it is farther from 0.
+///   by (R + 2c)(20uR + 4c), and a little, so by less than E = 21u(R + 2²²c)². Its sign is sure where it is farther
+///   from 0.
 /// - A corner's tᵢ is t₀ + τᵢ, that of the block's origin and τᵢ = v.z/D.z, which is off by F = 4u.
 /// - A hit's t is the mean of the corners' tᵢ weighted by the side products, which have one sign: it lies between the
 ///   least and the greatest tᵢ. With weights that are off by E it is off by no more than 3E times the corners' distance
 ///   in t over what their sum has for sure, see FilteredPredicates::sure_range, and that is at least half of the sum if
 ///   it is more than 7E. The mean's own rounding is 7u at most.
-/// 2⁻¹¹⁰ hides what underflow takes. Where products overflow, a triangle that the ray meets has |q| ≤ 2 + c, so that E
-/// does, too, and it is not missed; and where the sum is no number nothing is sure.
+/// What underflow takes is nothing to E, which is 84u at least. Where products overflow, a triangle that the ray meets
+/// has |q| ≤ 2 + c, so that E does, too, and it is not missed; and where the sum is no number nothing is sure.
 template <class Take>
 HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block, const Take& take) {
     const SeenBlock seen(ray, block);
     const FanOfFloats& E = seen.E;
-    const auto unit = static_cast<double>(block.unit);
     for (std::size_t at = 0; at < fan_out; at += FanOfFloats::count()) {
         const ShearedCorner A(ray, seen, block.A, at), B(ray, seen, block.B, at), C(ray, seen, block.C, at);
-        const FanOfFloats a = B.x * C.y - B.y * C.x, b = C.x * A.y - C.y * A.x, c = A.x * B.y - A.y * B.x;
+        const FanOfFloats a = less_product(B.x * C.y, B.y, C.x), b = less_product(C.x * A.y, C.y, A.x),
+                          c = less_product(A.x * B.y, A.y, B.x);
         const FanOfFloats least = min(min(a, b), c), most = max(max(a, b), c);
         const auto missed = (most > E) & (least < -E);
         if (none(!missed)) continue;
 
         constexpr float F = 5 * float_u, wider = 1 + 0x1p-10f;  // the last for the bounds' own rounding
-        const FanOfFloats per_D_z = static_cast<float>(ray.per_D_z);
+        const FanOfFloats per_D_z = ray.float_per_D_z;
         const FanOfFloats tau_A = A.z * per_D_z, tau_B = B.z * per_D_z, tau_C = C.z * per_D_z;
         const FanOfFloats nearest = min(min(tau_A, tau_B), tau_C), farthest = max(max(tau_A, tau_B), tau_C);
         const FanOfFloats sum = a + b + c, per_sum = 1.0f / sum;
@@ -101,10 +101,12 @@ HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block,
         select(one_sign, middle - off, nearest - F).store(low + at);
         select(one_sign, middle + off, farthest + F).store(high + at);
         const std::uint32_t sure = bits_of(one_sign) << at;
+        const double unit = block.unit(), t_0 = seen.p_z * ray.per_D_z * unit;
+        const double t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;  // and a sum's rounding
         for (std::uint32_t rest = (bits_of(!missed) << at) & ((1u << block.count) - 1); rest != 0; rest &= rest - 1) {
             const auto one = static_cast<std::uint32_t>(__builtin_ctz(rest));
-            const double t_low = seen.t_0 + unit * static_cast<double>(low[one]) - seen.t_error;
-            const double t_high = seen.t_0 + unit * static_cast<double>(high[one]) + seen.t_error;
+            const double t_low = t_0 + unit * static_cast<double>(low[one]) - t_error;
+            const double t_high = t_0 + unit * static_cast<double>(high[one]) + t_error;
             if (t_high < ray.from) continue;
             take(one, (sure >> one & 1) != 0 && t_low > ray.from, t_low, t_high);
         }

@@ -1,3 +1,4 @@
+#include "engine/fetch.hpp"
 #include "engine/sight.hpp"
 #include "engine/tile.hpp"
 #include "engine/tile_rays.hpp"
@@ -84,26 +85,14 @@ private:
             }
             const Node& node = hierarchy.nodes[visit.child];
             find_children_met(node, *seen, t_max_, met);
-            for (std::uint32_t rest = met.which; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
+            for (std::uint32_t rest = met.which; rest != 0; rest &= rest - 1)
+                fetch(engine_, node.child[__builtin_ctz(rest)]);
             visits.push(met.which, [&](std::uint32_t i) {
                 return TileVisit{node.child[i], met.entry[i], {met.seen_in[i]}};
             });
         }
         if (leaf.child != Child::nothing && !given_up_) test(leaf);
         if (given_up_) fill(not_told, 0);
-    }
-
-    /// Has the memory bring what will be visited soon.
-    HWY_INLINE HWY_ATTR void fetch(std::uint32_t child) const {
-        if (!Child::is_leaf(child)) fetch_all(engine_.hierarchy().nodes[child]);
-        else if (!Child::is_of_spheres(child)) fetch_all(engine_.blocks()[Child::index(child)]);
-    }
-    /// Inline: GCC takes a function that only does this for one that does nothing.
-    template <class Object>
-    HWY_INLINE static void fetch_all(const Object& object) {
-        constexpr std::size_t line = 64;
-        for (std::size_t at = 0; at < sizeof object; at += line)
-            __builtin_prefetch(reinterpret_cast<const char*>(&object) + at);
     }
 
     double t_of_key(float key) const {

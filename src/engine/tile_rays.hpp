@@ -64,7 +64,7 @@ struct RaysAtBlock {
 
 /// Inline where it is called, as it is called for each block.
 [[gnu::always_inline]] inline RaysAtBlock rays_at(const Block& block, const TileRays& rays) {
-    const auto unit = static_cast<double>(block.unit), per_unit = static_cast<double>(block.per_unit);
+    const double unit = block.unit(), per_unit = block.per_unit;
     const Vec3<double> origin{block.origin[0], block.origin[1], block.origin[2]};
     const Vec3<double> p = per_unit * (origin - rays.P.value), D = rays.D.value;
     RaysAtBlock result;
@@ -105,7 +105,7 @@ struct PreciseKey {
 inline PreciseKey precise_key(const TileRays& rays, const RaysAtBlock& at_block, const Block& block,
                               const Triangle<double>& triangle) {
     constexpr double u = 0x1p-53, larger = 1.34, tiny = 0x1p-110;
-    const auto per_unit = static_cast<double>(block.per_unit);
+    const double per_unit = block.per_unit;
     const auto difference = [&](const Vec3<double>& a, const Vec3<double>& b) {
         const auto exact = [&](double x, double y) {
             return DoubleDouble(per_unit * (x - y), per_unit * lost_in_sum(x, -y, x - y));

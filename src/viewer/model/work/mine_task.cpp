@@ -17,7 +17,9 @@ public:
     AtWork(const AtWork&) = delete;
     AtWork& operator=(const AtWork&) = delete;
     ~AtWork() {
-        if (tools_.mine_made < asked_) tools_.mine_made = asked_;  // unless one that was withdrawn counts as more
+        int made = tools_.mine_made;  // more than what was asked where a later one was withdrawn meanwhile
+        while (made < asked_ && !tools_.mine_made.compare_exchange_weak(made, asked_)) {
+        }
     }
 
 private:
