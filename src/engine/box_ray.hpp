@@ -29,12 +29,14 @@ namespace glassbox::engine {
 ///   hi·j − P₂j, where j = (1 + 2⁻²⁰)i and P₂ lies behind P by w, so that it leaves too late.
 /// - Rounded are i, twice, and j once more; P₁, P₁i, lo·i, and the sum. So (lo − P)i becomes (lo − P)i(1 + u)⁵ at most,
 ///   but for u(3|P| + |Xd|)i and a little, which come of P₁ and of lo = P + Xd; w ≥ 2⁻²²|P| = 4u|P| hides the first.
-/// - So an entry is at most X(1 + u)⁵ or below 0, an exit at least Y(1 + 2⁻²⁰)(1 − u)⁶, and 1 + 2⁻²⁰ = 1 + 16u is more
-///   than both together: where X, or 0, is no later than Y, entry, or 0, is no later than exit.
+/// - So an entry is at most X(1 + u)⁵ or below 0, and an exit, for Y ≥ 0, above 0 and at least Y(1 + 2⁻²⁰)(1 − u)⁶. As
+///   1 + 2⁻²⁰ = 1 + 16u is more than both together, the entry, or 0, comes no later than the exit if X, or 0, is by Y.
 /// - w has 2⁻⁶⁰ of the hierarchy's reach besides: an exit that should not be below 0 is so large that what floats lose
-///   below their normal numbers is nothing to it. And no product is too large for floats.
-/// - Along an axis where d is nearly 0, less than ε = 2⁻⁶⁰, it counts as ε, and w has 16ε times how far the ray goes
+///   below their normal numbers is nothing to it.
+/// - Along an axis where d is nearly 0, no more than ε = 2⁻⁶⁰, it counts as ε, and w has 16ε times how far the ray goes
 ///   until it leaves the hierarchy, at most: it enters by 0, and leaves later than all of that, if it is in the slab.
+/// - No product is too large for floats: 1/d is 1/ε at most, and start and boxes are no farther off than 2¹²⁰ε, as ε is
+///   chosen larger where they would be.
 struct BoxRay {
     static constexpr std::size_t axes = 4;  ///< three, and one to spare, as vectors have it
     alignas(16) float inverse[axes], near_offset[axes], exit_inverse[axes], far_offset[axes];
@@ -173,7 +175,8 @@ using EachAxisInFloats = float __attribute__((vector_size(4 * BoxRay::axes)));
     // Along the main axis the ray goes on by t at least, and so leaves the hierarchy before t is as large as the start
     // is far off, and the hierarchy.
     const double far = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}) + size;
-    const double epsilon = std::max(0x1p-60, far * 0x1p-120);  // more only where 1/ε times that would overflow
+    const double epsilon = std::max(0x1p-60, far * 0x1p-120);
+    result.P[3] = result.d[3] = 0;
     EachAxis from{}, w{}, direction = {1, 1, 1, 1};
     for (int k = 0; k < 3; ++k) {
         const bool is_nearly_0 = !(std::abs(d[k]) > epsilon);

@@ -10,7 +10,7 @@ namespace glassbox::engine {
 /// the two it is; of a leaf of spheres it brings nothing useful. Inline: GCC takes a function that only does this for
 /// one that does nothing.
 [[gnu::always_inline]] inline void fetch(const Engine& engine, std::uint32_t child) {
-    constexpr std::size_t line = 64, lines = 5;  // of a block all but what names its surfaces
+    constexpr std::size_t line = 64, lines = 5;  // of a block all but the line that names its surfaces and counts them
     const bool is_leaf = Child::is_leaf(child);
     const auto first = is_leaf ? reinterpret_cast<std::uintptr_t>(engine.blocks().data())
                                : reinterpret_cast<std::uintptr_t>(engine.hierarchy().nodes.data());

@@ -66,7 +66,7 @@ struct ShearedCorner {
 /// - q_x = p.x − p.z D.x/D.z is off by 7·2⁻⁵³ max(|p.x|, |p.y|, |p.z|), which is at most Q + |p.z|, and by 2δ where the
 ///   ray's start is off by δ: together by less than c + 2⁻⁵⁰Q, where c = 2⁻⁵⁰|p.z| + 2δ.
 /// - A corner's sheared coordinate, v.x − v.z D.x/D.z + q_x, is at most R = 2 + Q, and in floats off by 8u + 2uQ: for
-///   v, D.x/D.z and q_x, and for its own rounding. Together with what q_x is off that is less than e = 4uR + c.
+///   v, D.x/D.z and q_x, and for its own rounding. Together with what q_x is off that is no more than e = 4uR + c.
 /// - A side product, a difference of two products, is off by 4(R + 2e)e, and by its own rounding, 4u(R + 2e)²: together
 ///   by (R + 2c)(20uR + 4c), and a little, so by less than E = 21u(R + 2²²c)². Its sign is sure where it is farther
 ///   from 0.
@@ -75,8 +75,10 @@ struct ShearedCorner {
 ///   least and the greatest tᵢ. With weights that are off by E it is off by no more than 3E times the corners' distance
 ///   in t over what their sum has for sure, see FilteredPredicates::sure_range, and that is at least half of the sum if
 ///   it is more than 7E. The mean's own rounding is 7u at most.
-/// What underflow takes is nothing to E, which is 84u at least. Where products overflow, a triangle that the ray meets
-/// has |q| ≤ 2 + c, so that E does, too, and it is not missed; and where the sum is no number nothing is sure.
+/// What underflow takes is nothing to E, which is 84u at least. No corner's coordinate is larger than S = R + 2²²c, so
+/// that where a product overflows E does, too: nothing is missed then, and nothing sure. Where only a difference of
+/// products overflows its sign is right; and a triangle that the ray meets has |q| ≤ 2 + c and a little, so that with a
+/// finite E nothing of it overflows.
 template <class Take>
 HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block, const Take& take) {
     const SeenBlock seen(ray, block);
