@@ -7,7 +7,7 @@
 #include <triangle.hpp>
 
 #include "engine/hierarchy.hpp"
-#include "numerics/power_of_two.hpp"
+#include "numerics/power_of_two_below.hpp"
 
 namespace glassbox::engine {
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -9,7 +10,7 @@
 #include <ray.hpp>
 
 #include "engine/engine.hpp"
-#include "numerics/power_of_two.hpp"
+#include "numerics/power_of_two_below.hpp"
 #include "numerics/two_sum.hpp"
 
 namespace glassbox::engine {
@@ -28,25 +29,27 @@ namespace glassbox::engine {
 /// - An entry is found as lo·i − P₁i, where P₁ lies ahead of P by w, so that the ray enters too early; an exit as
 ///   hi·j − P₂j, where j = (1 + 2⁻²⁰)i and P₂ lies behind P by w, so that it leaves too late.
 /// - Rounded are i, twice, and j once more; P₁, P₁i, lo·i, and the sum. So (lo − P)i becomes (lo − P)i(1 + u)⁵ at most,
-///   but for u(3|P| + |Xd|)i and a little, which come of P₁ and of lo = P + Xd; w ≥ 2⁻²²|P| = 4u|P| hides the first.
+///   but for u(3|P| + |Xd|)i and a little, which come of P₁ and of lo = P + Xd; w ≥ 2⁻²²|P| = 4u|P| hides the first,
+///   and the 2⁻⁵³|P| by which P itself is rounded, relative to the middle.
 /// - So an entry is at most X(1 + u)⁵ or below 0, and an exit, for Y ≥ 0, above 0 and at least Y(1 + 2⁻²⁰)(1 − u)⁶. As
 ///   1 + 2⁻²⁰ = 1 + 16u is more than both together, the entry, or 0, comes no later than the exit if X, or 0, is by Y.
 /// - w has 2⁻⁶⁰ of the hierarchy's reach besides: an exit that should not be below 0 is so large that what floats lose
 ///   below their normal numbers is nothing to it.
 /// - Along an axis where d is nearly 0, no more than ε = 2⁻⁶⁰, it counts as ε, and w has 16ε times how far the ray goes
 ///   until it leaves the hierarchy, at most: it enters by 0, and leaves later than all of that, if it is in the slab.
-/// - No product is too large for floats: 1/d is 1/ε at most, and start and boxes are no farther off than 2¹²⁰ε, as ε is
-///   chosen larger where they would be.
+/// - No product is too large for floats: 1/d is 1/ε at most, and start and boxes are no farther off than 2¹²⁰ε: an
+///   ordinary ray's, as boxes reach to 2⁵⁶ (Engine) and it starts within 8 times that; for others ε is chosen larger
+///   where they would be.
 struct BoxRay {
-    static constexpr std::size_t axes = 4;  ///< three, and one to spare, as vectors have it
-    alignas(16) float inverse[axes], near_offset[axes], exit_inverse[axes], far_offset[axes];
+    static constexpr std::size_t lanes = 4;  ///< x, y, z, and one that means nothing
+    alignas(16) float inverse[lanes], near_offset[lanes], exit_inverse[lanes], far_offset[lanes];
     /// Where in a node the sides stand through which it enters and leaves, counted in floats from Node::side: along an
     /// axis where d < 0 it enters the upper ones.
-    alignas(32) std::size_t near_side[axes], far_side[axes];
+    alignas(32) std::int64_t near_side[lanes], far_side[lanes];
 
-    alignas(32) double P[axes];  ///< its start, off by `start_error` along each axis at most
-    alignas(32) double d[axes];  ///< its direction
-    double start_error;          ///< 0 where it was not moved
+    alignas(32) double P[lanes];  ///< its start, off by `start_error` along each axis at most
+    alignas(32) double d[lanes];  ///< its direction
+    double start_error;           ///< 0 where it was not moved
     double scale, per_scale, shift;
     bool as_given;  ///< neither moved nor at another scale, but for d, nor of a length far from 1
 
@@ -96,7 +99,7 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
     const double size = engine.reach();
     const double middle[3] = {engine.middle().x, engine.middle().y, engine.middle().z};
     const double P[3] = {result.P[0], result.P[1], result.P[2]};
-    const double(&d)[BoxRay::axes] = result.d;
+    const double(&d)[BoxRay::lanes] = result.d;
     const int main_axis = std::abs(d[0]) >= 1 ? 0 : std::abs(d[1]) >= 1 ? 1 : 2;
     const double begin = d[main_axis] > 0 ? engine.around().lo[main_axis] : engine.around().hi[main_axis];
     const auto farthest = [&] { return std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])}); };
@@ -117,14 +120,14 @@ inline Approximately moved_along(double P, double middle, double t, double d) {
     return farthest() < 0x1p100;
 }
 
-/// A number for each axis, and one to spare: a vector of the compiler's, as one instruction has them where this is
-/// inlined.
-using EachAxis = double __attribute__((vector_size(8 * BoxRay::axes)));
-using EachAxisInBits = std::int64_t __attribute__((vector_size(8 * BoxRay::axes)));
-using EachAxisInFloats = float __attribute__((vector_size(4 * BoxRay::axes)));
+/// A number for each axis, and one more: a vector of the compiler's own, so that code for wide registers takes one
+/// instruction.
+using EachAxis = double __attribute__((vector_size(sizeof(double) * BoxRay::lanes)));
+using EachAxisInBits = std::int64_t __attribute__((vector_size(sizeof(std::int64_t) * BoxRay::lanes)));
+using EachAxisInFloats = float __attribute__((vector_size(sizeof(float) * BoxRay::lanes)));
 
-/// What a ray needs to know of the axes: see BoxRay. `start` is relative to the middle; the direction is the given one
-/// over `power`, a power of two.
+/// Sets what the boxes are tested with: see BoxRay, also for w. `start` is relative to the middle; `direction` is
+/// `power`, a power of two, times d, and nowhere 0.
 [[gnu::always_inline]] inline void set_axes(BoxRay& result, const EachAxis& start, const EachAxis& w,
                                             const EachAxis& direction, double power) {
     const EachAxisInBits sign = (EachAxisInBits)direction & std::numeric_limits<std::int64_t>::min();
@@ -153,7 +156,7 @@ using EachAxisInFloats = float __attribute__((vector_size(4 * BoxRay::axes)));
     const Vec3<double>& middle = engine.middle();
     const auto& [x, y, z] = ray.D;
     const double longest = std::max({std::abs(x), std::abs(y), std::abs(z)});
-    const double power = power_of_two(longest), to_unit = inverse_power_of_two(power), scale = s * power;
+    const double power = power_of_two_below(longest), to_unit = inverse_power_of_two(power), scale = s * power;
     // From now on relative to the middle.
     double start[3] = {s * ray.P.x - middle.x, s * ray.P.y - middle.y, s * ray.P.z - middle.z};
     const double farthest = std::max({std::abs(start[0]), std::abs(start[1]), std::abs(start[2])});
@@ -197,18 +200,17 @@ using EachAxisInFloats = float __attribute__((vector_size(4 * BoxRay::axes)));
     const double x = std::abs(D.x), y = std::abs(D.y), z = std::abs(D.z);
     const double longest = std::max(std::max(x, y), z), shortest = std::min(std::min(x, y), z);
     const EachAxis start = {P.x - middle.x, P.y - middle.y, P.z - middle.z, 0};
-    const auto far = (EachAxis)((EachAxisInBits)start & std::numeric_limits<std::int64_t>::max());
-    const double farthest = std::max(std::max(far[0], far[1]), far[2]);
+    const auto distance = (EachAxis)((EachAxisInBits)start & std::numeric_limits<std::int64_t>::max());
+    const double farthest = std::max(std::max(distance[0], distance[1]), distance[2]);
     const bool is_ordinary = (longest < 0x1p60) & (shortest > longest * 0x1p-60) & (longest > 0x1p-60) &
-                             (farthest < BoxRay::nearby * size) & (size > 0x1p-50) & (size < 0x1p60) &
-                             (engine.scale() == 1);
+                             (farthest < BoxRay::nearby * size) & (size > 0x1p-50) & (engine.scale() == 1);
     if (!is_ordinary) [[unlikely]]
         return set_up_unusual(result, ray, engine);
-    const double power = power_of_two(longest), to_unit = inverse_power_of_two(power);
+    const double power = power_of_two_below(longest), to_unit = inverse_power_of_two(power);
     const EachAxis from = {P.x, P.y, P.z, 0}, along = {D.x, D.y, D.z, 1}, d = along * to_unit;
     std::memcpy(result.P, &from, sizeof from);
     std::memcpy(result.d, &d, sizeof d);
-    set_axes(result, start, far * 0x1p-22 + size * 0x1p-60, along, power);
+    set_axes(result, start, distance * 0x1p-22 + size * 0x1p-60, along, power);
     result.scale = power;
     result.per_scale = to_unit;
     result.shift = result.start_error = 0;

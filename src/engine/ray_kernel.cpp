@@ -1,6 +1,6 @@
 #include "engine/ray_kernel.hpp"
 
-#include "engine/fetch.hpp"
+#include "engine/prefetch.hpp"
 #include "engine/visits.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -31,8 +31,10 @@ public:
     HWY_INLINE HWY_ATTR void operator()() {
         if (engine_.hierarchy().nodes.empty()) return;
         Visits visits({0, 0});
-        for (std::uint32_t leaf; (leaf = next_leaf(visits)) != Child::nothing;) {
-            if (!visits.is_empty()) fetch(engine_, visits.next().child);
+        while (true) {
+            const std::uint32_t leaf = next_leaf(visits);
+            if (leaf == Child::nothing) break;
+            if (!visits.is_empty()) prefetch(engine_, visits.top().child);
             test(leaf);
             if (Any && found_.high < infinity) break;
         }

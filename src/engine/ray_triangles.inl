@@ -15,7 +15,7 @@ struct ShearedRay {
 };
 
 inline ShearedRay sheared(const BoxRay& from) {
-    const double(&P)[BoxRay::axes] = from.P, (&D)[BoxRay::axes] = from.d;
+    const double(&P)[BoxRay::lanes] = from.P, (&D)[BoxRay::lanes] = from.d;
     // Without a branch: which way a ray runs nobody can foresee.
     const double along_x = std::abs(D[0]), along_y = std::abs(D[1]), along_z = std::abs(D[2]);
     const std::size_t more_y = along_y > along_x, most_z = along_z > std::max(along_x, along_y);
@@ -29,7 +29,7 @@ inline ShearedRay sheared(const BoxRay& from) {
 /// A block as such a ray sees it, in the block's units: see for_each_met.
 struct SeenBlock {
     FanOfFloats q_x, q_y, shear_x, shear_y, E;
-    double p_z;
+    double p_z;  ///< the block's origin as seen from the ray's start, along z
 
     HWY_ATTR SeenBlock(const ShearedRay& ray, const Block& block)
         : shear_x(ray.float_shear_x), shear_y(ray.float_shear_y) {
@@ -70,7 +70,7 @@ struct ShearedCorner {
 /// - A side product, a difference of two products, is off by 4(R + 2e)e, and by its own rounding, 4u(R + 2e)²: together
 ///   by (R + 2c)(20uR + 4c), and a little, so by less than E = 21u(R + 2²²c)². Its sign is sure where it is farther
 ///   from 0.
-/// - A corner's tᵢ is t₀ + τᵢ, that of the block's origin and τᵢ = v.z/D.z, which is off by F = 4u.
+/// - A corner's tᵢ is t₀ + τᵢ, that of the block's origin and τᵢ = v.z/D.z, which is off by 4u; F = 5u.
 /// - A hit's t is the mean of the corners' tᵢ weighted by the side products, which have one sign: it lies between the
 ///   least and the greatest tᵢ. With weights that are off by E it is off by no more than 3E times the corners' distance
 ///   in t over what their sum has for sure, see FilteredPredicates::sure_range, and that is at least half of the sum if
@@ -104,7 +104,7 @@ HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block,
         select(one_sign, middle + off, farthest + F).store(high + at);
         const std::uint32_t sure = bits_of(one_sign) << at;
         const double unit = block.unit(), t_0 = seen.p_z * ray.per_D_z * unit;
-        const double t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;  // and a sum's rounding
+        const double t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;  // of t_0, and of the two sums below
         for (std::uint32_t rest = (bits_of(!missed) << at) & ((1u << block.count) - 1); rest != 0; rest &= rest - 1) {
             const auto one = static_cast<std::uint32_t>(__builtin_ctz(rest));
             const double t_low = t_0 + unit * static_cast<double>(low[one]) - t_error;

@@ -1,4 +1,4 @@
-#include "engine/fetch.hpp"
+#include "engine/prefetch.hpp"
 #include "engine/sight.hpp"
 #include "engine/tile.hpp"
 #include "engine/tile_rays.hpp"
@@ -86,7 +86,7 @@ private:
             const Node& node = hierarchy.nodes[visit.child];
             find_children_met(node, *seen, t_max_, met);
             for (std::uint32_t rest = met.which; rest != 0; rest &= rest - 1)
-                fetch(engine_, node.child[__builtin_ctz(rest)]);
+                prefetch(engine_, node.child[__builtin_ctz(rest)]);
             visits.push(met.which, [&](std::uint32_t i) {
                 return TileVisit{node.child[i], met.entry[i], {met.seen_in[i]}};
             });

@@ -21,7 +21,7 @@ public:
     explicit VisitStack(const AVisit& first) { visits_[depth_++] = first; }
 
     bool is_empty() const { return depth_ == 0; }
-    const AVisit& next() const { return visits_[depth_ - 1]; }
+    const AVisit& top() const { return visits_[depth_ - 1]; }
     AVisit pop() { return visits_[--depth_]; }
     void put(const AVisit& one) { visits_[depth_++] = one; }
 
@@ -52,7 +52,7 @@ public:
     explicit Visits(const Visit& first) : stack_(first) {}
 
     bool is_empty() const { return stack_.is_empty(); }
-    const Visit& next() const { return stack_.next(); }
+    const Visit& top() const { return stack_.top(); }
     Visit pop() { return stack_.pop(); }
 
     /// The children whose bits are set.

@@ -1,8 +1,8 @@
 #include <doctest.h>
 
-#include "support/stuck.hpp"
+#include "support/watchdog.hpp"
 
 int main(int argc, char** argv) {
-    glassbox::test::tell_where_it_is_stuck_after(840);  // ctest ends it, without a word, after 900: CMakeLists.txt
+    glassbox::test::start_watchdog(std::chrono::minutes(14));  // before ctest ends it without a word: TIMEOUT 900
     return doctest::Context(argc, argv).run();
 }

@@ -10,7 +10,8 @@ namespace glassbox {
 
 namespace {
 
-/// At its end, what the maker had been asked for at its beginning is done.
+/// At its end, whatever had been asked for when it began counts as done, also a later request that is yet to be
+/// performed.
 class AtWork {
 public:
     explicit AtWork(Tools& tools) : tools_(tools), asked_(tools.mine_asked) {}

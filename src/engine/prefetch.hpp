@@ -6,11 +6,12 @@
 
 namespace glassbox::engine {
 
-/// Has the memory bring a node or a block that will be visited soon. Without a branch, as nobody can foresee which of
-/// the two it is; of a leaf of spheres it brings nothing useful. Inline: GCC takes a function that only does this for
-/// one that does nothing.
-[[gnu::always_inline]] inline void fetch(const Engine& engine, std::uint32_t child) {
-    constexpr std::size_t line = 64, lines = 5;  // of a block all but the line that names its surfaces and counts them
+/// Prefetches a node or a block of triangles that will be visited soon. Without a branch, which would be mispredicted;
+/// for a leaf of spheres it prefetches something useless. Always inlined: GCC drops calls of a function that only
+/// prefetches.
+[[gnu::always_inline]] inline void prefetch(const Engine& engine, std::uint32_t child) {
+    constexpr std::size_t line = 64,
+                          lines = 5;  // a block but for its last line, which only hits need; a node, and one more
     const bool is_leaf = Child::is_leaf(child);
     const auto first = is_leaf ? reinterpret_cast<std::uintptr_t>(engine.blocks().data())
                                : reinterpret_cast<std::uintptr_t>(engine.hierarchy().nodes.data());
