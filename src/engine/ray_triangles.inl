@@ -104,7 +104,8 @@ HWY_INLINE HWY_ATTR void for_each_met(const ShearedRay& ray, const Block& block,
         select(one_sign, middle + off, farthest + F).store(high + at);
         const std::uint32_t sure = bits_of(one_sign) << at;
         const double unit = block.unit(), t_0 = seen.p_z * ray.per_D_z * unit;
-        const double t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;  // of t_0, and of the two sums below
+        // Of t_0, and of the two sums below.
+        const double t_error = 0x1p-49 * (std::abs(t_0) + unit) + 1.01 * ray.start_error;
         for (std::uint32_t rest = (bits_of(!missed) << at) & ((1u << block.count) - 1); rest != 0; rest &= rest - 1) {
             const auto one = static_cast<std::uint32_t>(__builtin_ctz(rest));
             const double t_low = t_0 + unit * static_cast<double>(low[one]) - t_error;

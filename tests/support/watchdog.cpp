@@ -10,8 +10,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <string>
 #include <thread>
 
 namespace glassbox::test {
